@@ -35,8 +35,8 @@ enum ReportId : std::uint8_t
 constexpr int ConstantForce = 1;
 constexpr int Infinite = 0x7FFF;     ///< ms
 constexpr int DirectionEnable = 4;   ///< value of the Direction Enable bit in Set Effect
-constexpr int FullGain = 100;        ///< per cent; the sketch sets it
-constexpr int FullForce = 250;       ///< largest force that a sketch receives
+constexpr int FullGain = 100; ///< per cent, set by the sketch
+constexpr int FullForce = 250; ///< largest force that is passed to the sketch
 constexpr int FullMagnitude = 10000; ///< largest magnitude in a report
 
 void BlockIndex(HidItems& items)
@@ -56,7 +56,7 @@ void Ordinals(HidItems& items)
   items.Open(HidItems::LogicalCollection).Usages(0x000A0001, 0x000A0002);
 }
 
-/** Divides as the board's processor does: a division by 0 gives a quotient with all bits set. */
+/** Divides like the board's processor: a division by 0 yields a quotient with all bits set. */
 int Divide(int a, int b)
 {
   return b == 0 ? -1 : a / b;
@@ -209,7 +209,7 @@ int ArduinoFfbModel::ReceiveOutput(const std::uint8_t* report, int size)
   const int block = report[1];
   if (block < 1 || block > MaximumEffects)
   {
-    return size; // refuses the block: the board would write outside of its array
+    return size; // refuses the block, because the board would write outside its array
   }
   Effect& effect = this->Effects[block];
   if (report[0] == SetEffect)
@@ -240,8 +240,7 @@ int ArduinoFfbModel::ReceiveOutput(const std::uint8_t* report, int size)
       effect.Duration = report[3] > 0 ? effect.Duration * report[3] & 0xFFFF : effect.Duration;
       effect.Duration = report[3] == 0xFF ? Infinite : effect.Duration;
     }
-    // Change the state from Allocated to Playing, so that the block becomes free when the effect
-    // stops.
+    // Change the state from Allocated to Playing, so that the block is freed when the effect stops.
     effect.IsPlaying = true;
     effect.IsAllocated = false;
     effect.Start = this->GetClock();

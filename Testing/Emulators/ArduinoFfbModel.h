@@ -13,16 +13,15 @@
  * Vendor and product numbers and the name are those of Arduino's Leonardo, the board that the
  * library names first.
  *
- * A direction is a number of 255 parts of a circle. If Direction Enable is the only one of its
- * three bits that is set, both axes use the first direction; otherwise, each axis has its own. The
- * force is
+ * A direction is given in 255ths of a circle. If only Direction Enable is set of the three bits,
+ * both axes use the first direction; otherwise, each axis has its own direction. The force is
  *
  *   magnitude sin(direction) along x, -magnitude cos(direction) along y,
  *
  * for any bits of the axes. A positive force moves an axis towards its positive end: the library's
- * spring is -coefficient times position. So the force points in the direction, contrary to
+ * spring is -coefficient times position. The force thus acts in the direction, contrary to
  * OpenFFBoard and to Linux' hid-pidff. The division in ApplyEnvelope() loses an effect's gain.
- * Device Gain is stored and not used.
+ * Device Gain is stored but not used.
  */
 #ifndef ArduinoFfbModel_h
 #define ArduinoFfbModel_h

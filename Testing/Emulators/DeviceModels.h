@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The behaviour of an emulated device, independent of its carrier (umockdev in the tests, or a
- * virtual USB port of a real kernel). The carrier calls a model from one thread at a time, but not
- * always from the same thread.
+ * The behaviour of an emulated device, independent of its carrier, which is umockdev in the tests,
+ * or a virtual USB port of a real kernel. The carrier's calls of a model never overlap, but may
+ * come from different threads.
  */
 #ifndef DeviceModels_h
 #define DeviceModels_h
@@ -27,7 +27,7 @@ public:
   virtual int Control(const std::uint8_t setup[8], std::uint8_t* data, int size) = 0;
   virtual int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) = 0;
   /**
-   * Reads data from the device. Returns -EAGAIN if no data are ready; the carrier then tries again
+   * Reads data from the device. Returns -EAGAIN if no data are ready; the carrier then retries
    * after every Out() and every Ready().
    */
   virtual int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) = 0;
@@ -35,12 +35,13 @@ public:
   virtual void Released() {}
 
   /**
-   * A function that the carrier sets. The model calls it if In() has data that no Out() has caused.
+   * A function that the carrier sets. The model calls it when In() has data that were not caused by
+   * an Out().
    */
   std::function<void()> Ready = [] {};
 };
 
-/** A HID device. Reports begin with their id, or 0 if the device has no ids. */
+/** A HID device. Reports begin with their id, or with 0 if the device has no ids. */
 class HidModel
 {
 public:
@@ -56,13 +57,13 @@ public:
   virtual int GetFeature(std::uint8_t* report, int size) = 0;
 
   /**
-   * A function that the carrier sets. The model calls it with an input report, which has no id if
+   * A function that the carrier sets. The model calls it with each input report, without an id if
    * the device has none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
   bool TellsSerial = true;  ///< whether the device has a serial number
-  bool IsBluetooth = false; ///< whether the device is on bus 0005 without a USB device above,
-                            ///< instead of on bus 0003 (USB)
+  /// whether the device is on bus 0005 without a USB parent, instead of on bus 0003 (USB)
+  bool IsBluetooth = false;
 };
 
 } // namespace emulated

@@ -5,10 +5,10 @@
  * A DualSense by cable or by Bluetooth.
  *
  * Written from Sony's driver in Linux, drivers/hid/hid-playstation.c (torvalds/linux 0b25b55, and
- * the newer way of vibration of 6.1): the reports, their sizes and checksums, buttons, the feature
- * reports, and that classic vibration has to be selected. Checksums are those of zlib, after a byte
- * for the direction. On Bluetooth, a pad sends short reports until its calibration is requested;
- * SDL's and other drivers wake it up in this way. The pad has no watchdog, which is the worst case.
+ * the newer vibration of 6.1): the reports, their sizes and checksums, buttons, the feature
+ * reports, and the selection of classic vibration. Checksums are those of zlib, with a preceding
+ * byte for the direction. By Bluetooth, a pad sends shortened reports until its calibration is
+ * requested, as by SDL's and other drivers. The pad has no watchdog, which is the worst case.
  */
 #ifndef DualSenseModel_h
 #define DualSenseModel_h
@@ -51,7 +51,7 @@ public:
   std::string GetName() const override { return "DualSense Wireless Controller"; }
   std::vector<std::uint8_t> GetReportDescriptor() const override
   {
-    // A gamepad with six axes of a byte each. The other fields hold a vendor's data.
+    // A gamepad with six axes of one byte each. The other fields contain vendor data.
     return { 0x05, 0x01, 0x09, 0x05, 0xA1, 0x01, 0x85, 0x01, 0x09, 0x30, 0x09, 0x31, 0x09, 0x32,
       0x09, 0x35, 0x09, 0x33, 0x09, 0x34, 0x15, 0x00, 0x26, 0xFF, 0x00, 0x75, 0x08, 0x95, 0x06,
       0x81, 0x02, 0x06, 0x00, 0xFF, 0x09, 0x21, 0x95, 0x39, 0x81, 0x02, 0x85, 0x02, 0x09, 0x23,
@@ -90,7 +90,7 @@ public:
       this->Most = { std::max(this->Most.Left, this->Now.Left),
         std::max(this->Most.Right, this->Now.Right) };
     }
-    // The driver must not use the parts of the report that request lights, sound and triggers.
+    // The driver must not use the parts of the report for lights, sound and triggers.
     for (int i = 0; i < 47; ++i)
     {
       const bool isKnown = i == 0 || i == 2 || i == 3 || i == 38;
@@ -120,8 +120,8 @@ public:
 
   ///@{
   /**
-   * Moves the hand: the sticks x, y, rx, ry, then the triggers (0 to 255 each), and presses buttons
-   * by their bits.
+   * Moves the sticks (x, y, rx, ry) and the triggers (0 to 255 each), and presses buttons by their
+   * bits.
    */
   void Move(int axis, int value)
   {
@@ -156,7 +156,7 @@ public:
     std::memcpy(common, this->Sticks.data(), 6);
     common[6] = static_cast<std::uint8_t>(this->Time);
     std::memcpy(common + 7, this->Buttons.data(), 3);
-    common[7] = static_cast<std::uint8_t>(common[7] | 8); // the direction pad at rest
+    common[7] = static_cast<std::uint8_t>(common[7] | 8); // the direction pad is released
     if (this->IsWireless)
     {
       const std::uint32_t crc = Checksum(0xA1, report, 74);
@@ -189,7 +189,7 @@ public:
   }
 
   std::atomic<bool> IsSilent{ false };
-  std::atomic<bool> IsSpoilt{ false }; ///< whether a bit of each report over Bluetooth is wrong
+  std::atomic<bool> IsSpoilt{ false }; ///< whether each report over Bluetooth has a wrong bit
   std::atomic<bool> RefusesReports{ false };
   std::atomic<int> BadReports{ 0 }; ///< number of unexpected reports, or parts of reports
   std::atomic<int> Reports{ 0 };

@@ -97,7 +97,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
 {
   if (_IOC_NR(request) == _IOC_NR(EVIOCGRAB) || _IOC_NR(request) == _IOC_NR(EVIOCRMFF))
   {
-    // These ioctls have a value as argument, not an address.
+    // The argument of these ioctls is a value instead of an address.
     unsigned long value = 0;
     std::memcpy(&value, umockdev_ioctl_client_get_arg(client)->data, sizeof(value));
     return _IOC_NR(request) == _IOC_NR(EVIOCGRAB) ? model.Grab(client, value != 0)
@@ -108,7 +108,7 @@ int AnswerIoctl(PadModel& model, UMockdevIoctlClient* client, unsigned long requ
 }
 
 /**
- * Formats bits as sysfs does: words of the size of a long, the highest word first, without leading
+ * Formats bits as in sysfs: words of the size of a long, the highest word first, without leading
  * zeros.
  */
 std::string WordsOf(const std::set<unsigned>& bits)
@@ -155,7 +155,7 @@ FifoNode::Device Describe(const PadModel& model, int number)
 
 std::unique_ptr<FifoNode> MakeNode(PadModel& model)
 {
-  // Numbers begin with 9, so that the second node has two digits and a larger number.
+  // Begin at 9, so that the second node's number has two digits.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   FifoNode::Answers answers;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A gamepad in the kernel that umockdev simulates: its evdev node, and its files in sysfs.
+ * A gamepad in umockdev's simulated kernel: its evdev node, and its files in sysfs.
  *
- * umockdev does not report that a file was closed; use PadModel::CloseFiles().
+ * umockdev does not report the closing of a file; use PadModel::CloseFiles().
  */
 #ifndef EmulatedEvdev_h
 #define EmulatedEvdev_h
@@ -20,13 +20,13 @@ class FifoNode;
 class EmulatedEvdev
 {
 public:
-  /** Plugs the gamepad in, with a new number for its node. The model has to outlive this object. */
+  /** Plugs the gamepad in, with a new node number. The model must outlive this object. */
   explicit EmulatedEvdev(PadModel& model);
   ~EmulatedEvdev();
   EmulatedEvdev(const EmulatedEvdev&) = delete;
   EmulatedEvdev& operator=(const EmulatedEvdev&) = delete;
 
-  /** Unplugs the gamepad. From then on, every open file returns ENODEV. */
+  /** Unplugs the gamepad. From then on, calls on open files return ENODEV. */
   void Unplug();
 
   /** Returns the path of the node, such as /dev/input/event9. */

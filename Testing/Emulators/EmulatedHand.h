@@ -20,15 +20,15 @@ struct EmulatedHand
 {
   static constexpr double Mass = 0.1;        ///< kg
   static constexpr double Stiffness = 300.0; ///< N/m
-  static constexpr double Damping = 25.0;    ///< N s/m: so slow that late forces do not shake the
-                                             ///< hand
-  static constexpr double Speed = 0.1;       ///< m/s, speed of the spring's fixed end towards the
-                                             ///< goal
+  /// N s/m: so large that late forces do not make the hand oscillate
+  static constexpr double Damping = 25.0;
+  /// m/s, speed at which the spring's fixed end moves to the goal
+  static constexpr double Speed = 0.1;
 
   Triple Tip{}; ///< m
   Triple Velocity{};
   Triple Led{};  ///< m, fixed end of the spring
-  Triple Goal{}; ///< m, position to which the hand is led
+  Triple Goal{}; ///< m, target position of the hand
 
   /** Applies a force (N) for a time (s). */
   void Step(double time, const Triple& force)
@@ -43,7 +43,8 @@ struct EmulatedHand
     {
       this->Led[a] += part * (this->Goal[a] - this->Led[a]);
       const double pull = Stiffness * (this->Led[a] - this->Tip[a]) + force[a];
-      // Apply the damping at the end of the step, which is stable for steps of any length.
+      // Apply the damping implicitly (at the end of the step), which is stable for steps of any
+      // length.
       this->Velocity[a] = (this->Velocity[a] + time / Mass * pull) / (1.0 + time * Damping / Mass);
       this->Tip[a] += time * this->Velocity[a];
     }

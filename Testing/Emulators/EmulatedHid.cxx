@@ -141,8 +141,8 @@ EmulatedHid::EmulatedHid(HidModel& model, int serialNumber)
 
 void EmulatedHid::PlugIn()
 {
-  // The kernel uses numbers again, but umockdev does not. Numbers begin with 9, so that the second
-  // node has two digits.
+  // The kernel reuses numbers, but umockdev does not. Begin at 9, so that the second node's number
+  // has two digits.
   static std::atomic<int> next{ 9 };
   const int number = next++;
   this->SerialNumber = this->SerialNumber == 0 ? number : this->SerialNumber;

@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * A HID device that is plugged into the kernel that umockdev simulates.
- */
+/** A HID device that is plugged into umockdev's simulated kernel. */
 #ifndef EmulatedHid_h
 #define EmulatedHid_h
 
@@ -20,7 +18,7 @@ public:
   /**
    * Plugs the device in. Its node gets a new number each time, because the old node may still be
    * open. The serial number stays the same, if the model has one. A serial number of 0 requests a
-   * number that no other device has. The model has to outlive this object.
+   * unique number. The model must outlive this object.
    */
   explicit EmulatedHid(HidModel& model, int serialNumber = 0);
   ~EmulatedHid();
@@ -29,7 +27,7 @@ public:
 
   ///@{
   /**
-   * Unplugs the device. From then on, every open handle returns EIO, even after the device was
+   * Unplugs the device. From then on, open handles return EIO, even after the device has been
    * plugged in again.
    */
   void Unplug();
@@ -54,7 +52,7 @@ private:
   int SerialNumber;
   std::mutex Guard; ///< guards Current, which the models' threads use
   Plug* Current = nullptr;
-  std::vector<Plug*> Old; ///< earlier plugs, on which handles may still be open
+  std::vector<Plug*> Old; ///< earlier plugs, whose handles may still be open
 };
 
 } // namespace emulated

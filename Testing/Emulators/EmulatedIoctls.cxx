@@ -15,7 +15,9 @@ namespace emulated
 namespace
 {
 
-/** Thrown if the client, like a killed program, has ended in the middle of its request. */
+/**
+ * Thrown if the client has ended in the middle of its request, for example because it was killed.
+ */
 struct ClientHasEnded
 {
 };
@@ -26,7 +28,9 @@ UMockdevIoctlData* Resolve(UMockdevIoctlData* argument, std::size_t offset, std:
   return target != nullptr ? target : throw ClientHasEnded();
 }
 
-/** Reads the target of an argument, which stays valid as long as this object exists. */
+/**
+ * Accesses the memory that an argument points to, which stays valid during this object's lifetime.
+ */
 template <typename T>
 class Argument
 {
@@ -181,8 +185,7 @@ int EmulatedUsb::Plug::DriverIoctl(UMockdevIoctlData* argument)
   Argument<usbdevfs_ioctl> ioctl(argument);
   if (static_cast<unsigned int>(ioctl->ioctl_code) == USBDEVFS_CONNECT && this->Owner == nullptr)
   {
-    // After this call, the kernel lets its drivers probe again. The driver that fits this device is
-    // ftdi_sio.
+    // After this call, the kernel lets its drivers probe again. The matching driver is ftdi_sio.
     this->Driver = "ftdi_sio";
     return 1;
   }
@@ -206,7 +209,7 @@ int EmulatedUsb::Plug::Submit(UMockdevIoctlClient* client, UMockdevIoctlData* ar
   }
   const Urb urb{ data, client };
   (this->Try(urb) ? this->Ended : this->Waiting).push_back(urb);
-  // The transfer may have produced the answer for which a caller waits.
+  // The transfer may have produced the answer that a caller waits for.
   this->PumpLocked();
   return 0;
 }
@@ -245,7 +248,7 @@ int EmulatedUsb::Plug::Discard(UMockdevIoctlData* argument)
   return 0;
 }
 
-/** Tries a transfer. Returns false if it has to wait. */
+/** Attempts a transfer. Returns false if it has to wait. */
 bool EmulatedUsb::Plug::Try(const Urb& waiting)
 {
   usbdevfs_urb& urb = UrbOf(waiting.Data);

@@ -29,8 +29,8 @@ void RememberConfirmed(const std::string& identity)
 namespace
 {
 /**
- * Removes umockdev's folder. Deleting the testbed would also remove the folder, but threads may use
- * the testbed until the end.
+ * Removes umockdev's folder. Deleting the testbed would also do this, but threads may use the
+ * testbed until the program ends.
  */
 void RemoveTestbed()
 {
@@ -43,7 +43,7 @@ void RemoveTestbed()
 
 int main(int argc, char** argv)
 {
-  // Create the testbed first. Otherwise, umockdev would remember that there is none.
+  // Create the testbed first. Otherwise, umockdev would cache that there is none.
   emulated::Testbed();
   testing::InitGoogleTest(&argc, argv);
   if (!testing::GTEST_FLAG(list_tests) && !umockdev_in_mock_environment())
@@ -56,7 +56,7 @@ int main(int argc, char** argv)
   char* const root = umockdev_testbed_get_root_dir(emulated::Testbed());
   setenv("VOLUMEHAPTICS_DEVICES", (std::string(root) + "/devices.txt").c_str(), 1);
   g_free(root);
-  // umockdev sleeps for a time of zero after every call, which takes as long as the timer slack. So
+  // umockdev sleeps for zero seconds after every call, which takes as long as the timer slack, so
   // set the smallest slack.
   prctl(PR_SET_TIMERSLACK, 1UL);
   const int result = RUN_ALL_TESTS();

@@ -17,7 +17,7 @@ namespace emulated
 namespace
 {
 
-constexpr int PipeSize = 4096; // bytes: the smallest size of a pipe
+constexpr int PipeSize = 4096; // bytes: smallest size of a pipe
 
 void Check(gboolean done, GError* error)
 {
@@ -45,7 +45,7 @@ EmulatedUsb::Plug::Plug(UsbModel& model, const std::string& port, int address)
   this->Path = "/sys/devices/usb" + std::to_string(bus) + "/" + port;
   g_signal_connect(this->Base, "handle-ioctl", G_CALLBACK(&Plug::OnIoctl), this);
   g_signal_connect(this->Base, "client-vanished", G_CALLBACK(&Plug::OnVanished), this);
-  // Attach the ioctls before the device exists, so that udev is not asked for the device.
+  // Attach the ioctls before the device exists, so that umockdev does not query udev for it.
   GError* error = nullptr;
   Check(umockdev_testbed_attach_ioctl(Testbed(), this->Node.c_str(), this->Base, &error), error);
   this->AddDevice(port, address);
@@ -72,8 +72,8 @@ void EmulatedUsb::Plug::AddDevice(const std::string& port, int address)
 }
 
 /**
- * Replaces the node by a pipe, because poll() always succeeds on a plain file. The pipe is ready
- * for writing only while it is not full.
+ * Replaces the node by a pipe, because poll() always succeeds on a plain file. The pipe is writable
+ * only while it is not full.
  */
 void EmulatedUsb::Plug::ReplaceNode()
 {
@@ -126,7 +126,7 @@ void EmulatedUsb::Plug::ForgetProgram()
   if (this->Owner != nullptr)
   {
     this->Owner = nullptr;
-    // Keep the ioctls: they belong to a client that may have ended, so they can't be released.
+    // Leak the ioctls: they belong to a client that may have ended, so they can't be released.
     this->Waiting.clear();
     this->Ended.clear();
     this->SetReady(false);
@@ -138,7 +138,7 @@ EmulatedUsb::EmulatedUsb(UsbModel& model, const std::string& port)
   : Model(model)
   , Port(port)
 {
-  RememberConfirmed("falcon:port:" + port); // by its port, as the model has no serial number
+  RememberConfirmed("falcon:port:" + port); // by its port, because the model has no serial number
   this->PlugIn();
 }
 
@@ -146,15 +146,15 @@ EmulatedUsb::~EmulatedUsb()
 {
   this->Model.Ready = [] {};
   this->Unplug();
-  // Keep all plugs. A caller with an open handle would otherwise wait for an answer forever.
+  // Keep all plugs alive. A caller with an open handle would otherwise wait forever for an answer.
   static auto& kept = *new std::vector<std::unique_ptr<Plug>>;
   std::move(this->Plugs.begin(), this->Plugs.end(), std::back_inserter(kept));
 }
 
 void EmulatedUsb::PlugIn()
 {
-  // Use a new address. The kernel does not give the address of an unplugged device to the next
-  // device either.
+  // Use a new address, because the kernel does not immediately reuse the address of an unplugged
+  // device.
   static int address = 1;
   this->Plugs.push_back(std::make_unique<Plug>(this->Model, this->Port, ++address));
   Plug* const plug = this->Plugs.back().get();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB device from plugging in to unplugging: the file under /dev/bus/usb, and its ioctls. This
+ * A USB device from plugging in to unplugging: its file under /dev/bus/usb, and its ioctls. The
  * object answers requests until the program ends.
  */
 #ifndef EmulatedPlug_h
@@ -27,15 +27,15 @@ public:
   bool IsGone() const { return this->Gone; }
   std::string GetFile() const { return this->File; }
 
-  /** Passes data that the model sends unasked to the caller that waits for data. */
+  /** Passes data that the model sends unrequested to the caller that waits for data. */
   void Pump();
 
   mutable std::mutex Mutex;
-  std::string Driver;                   ///< driver of the kernel that is bound to interface 0
+  std::string Driver; ///< driver of the kernel that is bound to interface 0
   UMockdevIoctlClient* Owner = nullptr; ///< client that has claimed interface 0
 
 private:
-  /** A request that libusb has submitted, and its client. */
+  /** A request that libusb has submitted, with its client. */
   struct Urb
   {
     UMockdevIoctlData* Data;
@@ -47,7 +47,7 @@ private:
   void AddDevice(const std::string& port, int address);
   void ReplaceNode();
   ///@{
-  /** Answers a request. Call these functions under the mutex; they return 0 or -errno. */
+  /** Answer requests. Must be called with the mutex locked; return 0 or -errno. */
   int Answer(UMockdevIoctlClient* client, unsigned long request, UMockdevIoctlData* argument);
   int Claim(UMockdevIoctlClient* client);
   int DisconnectAndClaim(UMockdevIoctlClient* client, UMockdevIoctlData* argument);
@@ -64,7 +64,7 @@ private:
   UMockdevIoctlBase* const Base;
   std::string Node; ///< /dev/bus/usb/...
   std::string Path; ///< path in /sys/devices
-  std::string File; ///< file in place of the node
+  std::string File; ///< file that replaces the node
   std::list<Urb> Waiting;
   std::list<Urb> Ended;
   int Pipe = -1;

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A USB port of the computer that umockdev simulates, with a device in it. The port answers
- * libusb's requests to the kernel, and passes sent data to a model.
+ * A USB port of umockdev's simulated computer, with a device in it. The port answers libusb's
+ * requests to the kernel, and passes the data to a model.
  */
 #ifndef EmulatedUsb_h
 #define EmulatedUsb_h
@@ -30,8 +30,8 @@ public:
 
   ///@{
   /**
-   * Plugs the device in or out, with the kernel's events. Unplug() lets transfers in flight fail
-   * with ESHUTDOWN.
+   * Plug the device in or out, with the kernel's events. Unplug() makes pending transfers fail with
+   * ESHUTDOWN.
    */
   void PlugIn();
   void Unplug();
@@ -40,7 +40,8 @@ public:
   /** Returns the path of the file that replaces the device's node. */
   std::string GetNode() const;
   /**
-   * Binds a kernel driver to interface 0, as if the device had just been plugged in. "" binds none.
+   * Binds a kernel driver to interface 0, as if the device had just been plugged in. "" stands for
+   * no driver.
    */
   void BindDriver(const std::string& name);
   std::string GetDriver() const;
@@ -48,8 +49,8 @@ public:
   bool IsClaimed() const;
 
   /**
-   * Acts as if the program that has claimed the device had been killed. umockdev does not report a
-   * program that ends in the middle of an answer.
+   * Acts as if the program that has claimed the device had been killed, because umockdev does not
+   * report a program that ends in the middle of an answer.
    */
   void ForgetProgram();
 

@@ -66,7 +66,7 @@ Numbers FalconMotorForce(const Numbers& grip, const Numbers& commands)
     const Numbers before = FalconArmAngles(behind);
     for (std::size_t leg = 0; leg < 3; ++leg)
     {
-      // The motors' work equals the work of the force: tau dtheta = F dp.
+      // The work of the motors equals the work of the force: tau dtheta = F dp.
       const double slope = (after[leg] - before[leg]) / Degrees / (2.0 * step);
       force[axis] += -1e-4 * commands[leg] * slope;
     }

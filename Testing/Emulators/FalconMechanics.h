@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The mechanics of the emulated Novint Falcon, written from the published dimensions alone: they
- * share no code with the tested driver. Positions are in metres in the device's frame, with z from
- * the base to the hand.
+ * The mechanics of the emulated Novint Falcon, written from the published dimensions alone, without
+ * code from the tested driver. Positions are in metres in the device's frame, with z from the base
+ * to the hand.
  */
 #ifndef FalconMechanics_h
 #define FalconMechanics_h
@@ -16,21 +16,21 @@ namespace emulated
 
 using Numbers = std::array<double, 3>;
 
-/** Returns the angles (degrees) of the three arms, or NaN if the grip can't be there. */
+/** Returns the angles (degrees) of the three arms; NaN if the grip can't be at this position. */
 Numbers FalconArmAngles(const Numbers& grip);
 
 /** Returns the unrounded counts of homed encoders. */
 Numbers FalconEncoderCounts(const Numbers& grip);
 
 /**
- * Returns the force (N) on the grip for motor commands (-1e-4 N m a unit), from differences of the
- * arms' angles along each axis.
+ * Returns the force (N) on the grip for motor commands (-1e-4 N m per unit), from differences of
+ * the arms' angles along each axis.
  */
 Numbers FalconMotorForce(const Numbers& grip, const Numbers& commands);
 
 /**
  * A grip of 0.1 kg between the motors and a hand. The hand is a spring and a damper whose end moves
- * towards an aim.
+ * to a target.
  */
 class FalconGrip
 {
@@ -49,7 +49,7 @@ public:
   Numbers Velocity{};
   Numbers Hand = Place; ///< m, position of the hand
   Numbers Aim = Place;  ///< m, target of the hand
-  bool IsHeld = false;  ///< whether a vice holds the hand, so that no force moves it
+  bool IsHeld = false; ///< whether the hand is clamped, so that no force moves it
 };
 
 } // namespace emulated

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Checks that the mechanics of the emulated device give the published numbers. */
+/** Checks that the mechanics of the emulated device reproduce the published numbers. */
 
 #include "FalconMechanics.h"
 

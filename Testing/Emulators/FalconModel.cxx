@@ -292,8 +292,8 @@ void FalconModel::ReceivePacket()
 }
 
 /**
- * Sets a leg's zero once the leg has been at both ends. Clears all zeros if a packet does not
- * request homing.
+ * Sets a leg's zero once the leg has been at both ends. A packet without the homing bit clears all
+ * zeros.
  */
 void FalconModel::FindZero(const Numbers& counts, bool asked)
 {

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An emulated Novint Falcon behind its serial converter: loader, firmware, homing, and a grip in a
+ * An emulated Novint Falcon with its serial converter: loader, firmware, homing, and a grip in a
  * hand. It is written from published facts alone. Every run packet advances its time by a
  * millisecond.
  *
  * Homing: include/falcon/firmware/FalconFirmwareNovintSDK.h of libnifalcon/libnifalcon (commit
  * 0cf9f06) describes the three bits of homed encoders as "(If homing mode on)". While that mode is
  * on, formatInput() in src/firmware/FalconFirmwareNovintSDK.cpp sends its bit (0x01) with every
- * packet. No source says what a packet without this bit does to a known zero. This model takes the
- * worst case: the zero is lost until the mode is on again and the grip has been at both ends. So a
- * driver that leaves the bit out fails here, even if a real device would accept it.
+ * packet. No source states how a packet without this bit affects a known zero. This model assumes
+ * the worst case: the zero is lost until the mode is on again and the grip has been at both ends. A
+ * driver that omits the bit thus fails here, even if a real device would accept it.
  *
  * Converter: in libftdi 1.5, src/ftdi.h, 2 drops data that the device has sent (SIO_TCIFLUSH), and
  * 1 drops data on their way to the device (SIO_TCOFLUSH). The older SIO_RESET_PURGE_RX and _TX, 1
@@ -52,23 +52,23 @@ enum class FalconFault
 {
   None,
   ShortPacket, ///< an answer without its last bytes
-  Garbage,     ///< an answer that is no packet
+  Garbage, ///< an answer that is not a packet
   Silence,     ///< no answer
-  LateAnswer,  ///< an answer that comes after the next packet
+  LateAnswer, ///< an answer that arrives after the next packet
   StallOut,
   StallIn,
-  BadCable,     ///< transfers out fail with EPROTO
-  StuckOut,     ///< transfers out never end
-  Nowhere,      ///< encoder counts that belong to no position
+  BadCable, ///< OUT transfers fail with EPROTO
+  StuckOut, ///< OUT transfers never end
+  Nowhere, ///< encoder counts that correspond to no position
   Jump,         ///< encoder counts of a position 25 mm away
   LostZero,     ///< an encoder that loses its homing
   NoGreeting,   ///< no answer from the loader
-  LateGreeting, ///< an answer to a greeting that comes just before the host's next request
+  LateGreeting, ///< an answer to a greeting that arrives just before the host's next request
   LeadingZero,  ///< a 0x00 before the answer to a greeting
   LeadingShake, ///< a 0x13 before the answer at the loading rate
-  StuckLoader,  ///< no answer until the device was reopened as often as given
-  WrongEcho,    ///< a byte of the image that comes back changed
-  NoEcho,       ///< a block of the image that does not come back
+  StuckLoader, ///< no answer until the device has been reopened the given number of times
+  WrongEcho, ///< a byte of the image that is echoed incorrectly
+  NoEcho, ///< a block of the image that is not echoed
   DeadImage     ///< an image that is accepted, but does not run
 };
 
@@ -93,24 +93,25 @@ public:
    */
   void Break(FalconFault fault, int packets = 1 << 30);
   /**
-   * Sets whether answers take time and come one by one. If not, each answer follows its packet at
-   * once.
+   * Sets whether answers take time and arrive one by one; otherwise, each answer follows its packet
+   * at once.
    */
   void SetTimed(bool timed);
   /**
-   * Returns how many packets in a row came while no answer was on its way to the host.
+   * Returns the number of consecutive packets that arrived while no answer was on its way to the
+   * host.
    */
   long GetInStep() const;
   /**
-   * Sets the faults of the loader's next attempts, in order. FalconFault::None lets an attempt
+   * Sets the faults of the next attempts to load, in order. FalconFault::None lets an attempt
    * succeed.
    */
   void BreakAttempts(const std::vector<FalconFault>& faults);
   void SetButtons(int bits);
   void SetAim(const Numbers& aim);
-  /** Sets the sign of all motors: 1, or -1 for motors that are wired the other way round. */
+  /** Sets the sign of all motors: 1, or -1 for motors with reversed wiring. */
   void SetMotorSign(double sign);
-  void SetHeld(bool held); ///< holds the grip in a vice, which moves to the aim
+  void SetHeld(bool held); ///< clamps the grip, so that it moves exactly to its target
   Numbers GetGrip() const;
   Numbers GetHand() const;
   Numbers GetCommands() const; ///< returns the motor commands of the last packet
@@ -118,17 +119,17 @@ public:
   int GetLights() const;       ///< returns the lights of the last packet
   long GetPackets() const;
   double DrainLargestCommand(); ///< returns the largest command since the last call
-  /** Returns the number and the time of the last packet with a command other than zero. */
+  /** Returns the number and the time of the last packet with a nonzero command. */
   std::pair<long, std::chrono::steady_clock::time_point> GetLastPush() const;
   std::vector<std::uint8_t> GetImage() const;
-  void SetImageSize(std::size_t bytes); ///< sets the size from which on an image runs (bytes)
+  void SetImageSize(std::size_t bytes); ///< sets the smallest size of an image that runs (bytes)
   bool IsRunning() const;
-  /** Interrupts the power: the device loses its firmware and its zero. */
+  /** Interrupts the power, which makes the device lose its firmware and its zero. */
   void SwitchOff();
   /**
-   * Returns the transfers that the host has sent since the last call, one line each. "c 40 09 0010"
-   * is a control request of type 0x40, number 9, value 0x10. "o " and hexadecimal bytes are a
-   * transfer of data.
+   * Returns the transfers that the host has sent since the last call, one per line. "c 40 09 0010"
+   * is a control request of type 0x40, number 9, value 0x10. "o " followed by hexadecimal bytes is
+   * a data transfer.
    */
   std::vector<std::string> DrainTranscript();
   ///@}
@@ -166,13 +167,13 @@ private:
   std::string Waiting; ///< bytes of an incomplete run packet or greeting
   std::vector<std::uint8_t> Image;
   std::size_t ImageSize = 1;
-  std::deque<std::string> Replies; ///< answers, one for each transfer
+  std::deque<std::string> Replies; ///< answers, each for one transfer
   std::deque<std::string> Pending; ///< answers on their way to the host
   std::string Late;                ///< an answer that waits for the next packet or request
   long InStep = 0;
   std::deque<FalconFault> Attempts; ///< faults of the next attempts to load
   std::vector<std::string> Transcript;
-  std::unique_ptr<ModelClock> Clock; ///< the last member, so that its thread ends first
+  std::unique_ptr<ModelClock> Clock; ///< last member, so that its thread ends first
 };
 
 } // namespace emulated

@@ -18,8 +18,8 @@ void FalconModel::Break(FalconFault fault, int packets)
 
 void FalconModel::SetTimed(bool timed)
 {
-  // The model runs at half of the device's speed. A round trip through umockdev takes about as long
-  // as the device's, so at full speed no answer would be late.
+  // Run the model at half of the device's speed: a round trip through umockdev takes about as long
+  // as a real one, so at full speed no answer would be late.
   constexpr int slowness = 2;
   const auto step = [this, tick = 0]() mutable
   {
@@ -33,7 +33,7 @@ void FalconModel::SetTimed(bool timed)
     const Lock lock(this->Mutex);
     std::swap(this->Clock, clock);
   }
-  // The old clock stops here, outside of the lock, because its thread may be waiting for the lock.
+  // The old clock must stop here, outside the lock, because its thread may be waiting for the lock.
 }
 
 long FalconModel::GetInStep() const

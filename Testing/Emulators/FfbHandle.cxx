@@ -37,7 +37,7 @@ int FfbHandle::GetFeature(std::uint8_t* report, int size)
 Triple FfbHandle::Push() const
 {
   const std::array<double, 2> torques = this->ComputeTorques();
-  // In HID, y points towards the hand, so the sign changes.
+  // HID's y axis points towards the hand, so the sign changes.
   const double second = this->Motors > 1 ? this->SecondSign.load() : 0.0;
   return { FullScale * torques[0], -second * FullScale * torques[1], 0.0 };
 }

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A handle on one or two axes with motors: the mechanics around a force-feedback firmware. The
- * firmwares are OpenFfboardModel and ArduinoFfbModel.
+ * A handle on one or two axes with motors: the mechanics for the models of force-feedback
+ * firmwares, OpenFfboardModel and ArduinoFfbModel.
  */
 #ifndef FfbHandle_h
 #define FfbHandle_h
@@ -25,7 +25,7 @@ enum class FfbFault
   Garbage, ///< reports with random positions
   Silence,
   WriteError,
-  NoBlockLoad, ///< the report on a new effect that can't be read
+  NoBlockLoad, ///< an unreadable report about a new effect
   FullPool
 };
 
@@ -57,20 +57,20 @@ public:
   std::vector<std::uint8_t> GetLast(std::uint8_t id) const;
   int GetResets() const { return this->Resets; }
   int CountOutputs() const { return this->Outputs; }
-  /** Returns the time of the device's clock: ms since power came. */
+  /** Returns the time of the device's clock (ms since power-on). */
   int GetClock() const { return this->Time; }
 
   std::atomic<FfbFault> Fault{ FfbFault::None };
   ///@{
   /**
-   * Deviations from the published firmware: reports every millisecond; reports only new values;
-   * looks for new values less often than every millisecond.
+   * Deviations from the published firmware: report every millisecond; report only new values; check
+   * for new values less often than every millisecond.
    */
   std::atomic<bool> Streams{ false };
   std::atomic<bool> OnlySaysNews{ false };
   std::atomic<int> ReportPeriod{ 1 }; ///< ms
   ///@}
-  /** Sign of the second motor: -1 if it is wired the other way round. */
+  /** Sign of the second motor: -1 for reversed wiring. */
   std::atomic<double> SecondSign{ 1.0 };
   std::atomic<int> Buttons{ 0 };
 
@@ -84,19 +84,21 @@ protected:
 
   ///@{
   /**
-   * Functions of the firmware, called under the lock. Outputs and features include their id. They
-   * return sizes or -errno.
+   * Functions of the firmware, called with the mutex locked. Output and feature reports include
+   * their id. Return sizes or -errno.
    */
   virtual int ReceiveOutput(const std::uint8_t* report, int size) = 0;
   virtual int ReceiveFeature(const std::uint8_t* report, int size) = 0;
   virtual int GiveFeature(std::uint8_t* report, int size) = 0;
   virtual void ForgetEffects() = 0;
   virtual int CountAll(bool onlyPlaying) const = 0;
-  /** Returns the fractions of the full torque, towards the positive ends of HID's axes x and y. */
+  /**
+   * Returns fractions of the full torque, positive towards the positive ends of HID's axes x and y.
+   */
   virtual std::array<double, 2> ComputeTorques() const = 0;
   /** Returns the input report for a position (-1 to 1 on HID's axes). */
   virtual Bytes BuildReport(double x, double y) const = 0;
-  /** Returns the time (ms) after which a report is sent even without news. */
+  /** Returns the time (ms) after which a report is repeated even without news. */
   virtual int GetReminderTime() const = 0;
   ///@}
 
@@ -122,7 +124,7 @@ private:
   EmulatedHand Hand;
   Bytes Sent;
   std::atomic<int> Time{ 0 };
-  int SinceSent = 0; ///< ms
+  int SinceSent = 0; ///< ms since the last report was sent
   std::map<std::uint8_t, Bytes> Last;
   std::atomic<int> Resets{ 0 };
   std::atomic<int> Outputs{ 0 };

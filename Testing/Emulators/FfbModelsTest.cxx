@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares the arithmetic of the force-feedback firmwares with numbers that were worked out by hand
- * from the published formulas.
+ * Compares the arithmetic of the force-feedback firmwares with numbers calculated by hand from the
+ * published formulas.
  */
 #include "ArduinoFfbModel.h"
 #include "OpenFfboardModel.h"
@@ -66,8 +66,8 @@ TEST(FfbModels, OpenFfboardWithoutDirectionGoesByShares)
   OpenFfboardModel model(Kind::Joystick);
   Play(model, 3, 27000, 9000, 20000, 255);
   ExpectForce(model, -10000 * Unit, 10000 * Unit);
-  // A wheel built with the one-axis descriptor ignores the bit that this descriptor calls Direction
-  // Enable.
+  // A wheel built with the one-axis descriptor ignores the bit that this descriptor declares as
+  // Direction Enable.
   OpenFfboardModel wheel(Kind::OneAxisWheel);
   Play(wheel, 2, 9000, 0, 20000, 255);
   ExpectForce(wheel, 0.0, 0.0);
@@ -109,13 +109,13 @@ TEST(FfbModels, ArduinosLibraryPushesTowardsTheDirection)
     Send(model, { 10, 1, 1, 1 });
   };
   constexpr double unit = FfbHandle::FullScale / 250.0; // N
-  // 64 of 255 parts of a circle are 90.35 degrees. Along x, 5000 becomes 4999, which is mapped to
-  // 124 of 250. Along y, 30 becomes 0.
+  // 64/255 of a circle are 90.35 degrees. Along x, 5000 becomes 4999, which is mapped to 124 of
+  // 250. Along y, 30 becomes 0.
   play(4, 64, 0, 255);
   ExpectForce(model, 124 * unit, 0.0);
   play(4, 64, 0, 51);
   ExpectForce(model, 124 * unit, 0.0); // the division loses the effect's gain
-  // North is -5000 along HID's y. This pushes away from the user.
+  // North is -5000 along HID's y, which pushes away from the user.
   play(4, 0, 0, 255);
   ExpectForce(model, 0.0, 125 * unit);
   // With the bits of both axes, each axis has its own direction. For y, 0 is north.

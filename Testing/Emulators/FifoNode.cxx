@@ -56,11 +56,11 @@ FifoNode::FifoNode(const std::string& node, const Device& device, const Answers&
   const std::string file = this->Root + node;
   unlink(file.c_str());
   Require(mkfifo(file.c_str(), 0666) == 0, "mkfifo");
-  // Open the FIFO, and then switch it to packet mode: it can't be opened in that mode.
+  // Open the FIFO first and then switch it to packet mode, because it can't be opened in that mode.
   this->Fifo = open(file.c_str(), O_RDWR | O_NONBLOCK | O_CLOEXEC);
   Require(this->Fifo >= 0 && fcntl(this->Fifo, F_SETFL, O_NONBLOCK | O_DIRECT) == 0, "fifo");
-  // Attach the ioctls only now. Until then, the node is a pseudo-terminal. A program that looks for
-  // devices may open it, can't use it without ioctls, and tries again.
+  // Attach the ioctls only now. Until then, the node is a pseudo-terminal: a program that searches
+  // for devices may open it, finds it unusable without ioctls, and tries again.
   Require(umockdev_testbed_attach_ioctl(Testbed(), node.c_str(), this->Base, nullptr), "attach");
 }
 
@@ -77,8 +77,8 @@ void FifoNode::Unplug()
   {
     return;
   }
-  // Send several bytes, so that a poll wakes up and its read fails, even if earlier reads take some
-  // of the bytes.
+  // Send several bytes, so that a poll wakes up and its read fails even if earlier reads consume
+  // some of the bytes.
   const std::uint8_t byte = 0;
   for (int i = 0; i < 4; ++i)
   {
@@ -101,7 +101,7 @@ void FifoNode::Send(const void* bytes, std::size_t size)
 void FifoNode::SetPermissions(unsigned mode)
 {
   chmod((this->Root + this->Node).c_str(), mode);
-  // Let everyone use the folders and the socket behind the node.
+  // Give all users access to the folders and to the socket of the node.
   chmod(this->Root.c_str(), 0777);
   const std::string socket = this->Root + "/ioctl" + this->Node;
   for (std::size_t end = this->Root.size(); end != std::string::npos;)
@@ -147,7 +147,7 @@ gboolean FifoNode::OnWrite(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpoi
 gboolean FifoNode::OnRead(UMockdevIoctlBase*, UMockdevIoctlClient* client, gpointer node)
 {
   const FifoNode& self = *static_cast<FifoNode*>(node);
-  // Leave the read unhandled: the kernel then reads the FIFO.
+  // Leave the read unhandled, so that the kernel reads from the FIFO.
   return self.IsGone ? Complete(client, self.Answer.GoneResult) : FALSE;
 }
 

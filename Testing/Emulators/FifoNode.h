@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A node under /dev in the kernel that umockdev simulates, from plugging in its device to
- * unplugging it. Open files may live longer: keep this object until they are closed.
+ * A node under /dev in umockdev's simulated kernel, from plugging in its device to unplugging it.
+ * Open files may exist longer: keep this object until they are closed.
  *
- * A FIFO in packet mode takes the node's place for data to programs: each write is one read, poll()
- * works as on a device, and data that are not read in time are dropped, as by the kernel.
+ * A FIFO in packet mode replaces the node for data to programs: each write becomes one read, poll()
+ * works as on a device, and data that are not read in time are dropped, as in the kernel.
  * umockdev's own thread answers the writes and ioctls of programs.
  */
 #ifndef FifoNode_h
@@ -26,18 +26,17 @@ namespace emulated
 class FifoNode
 {
 public:
-  /** The node's answers to a program's calls. Results are 0 or more, or -errno. */
+  /** The node's answers to a program's calls. Results are nonnegative, or -errno. */
   struct Answers
   {
-    unsigned IoctlType; ///< type in _IOC() of the handled ioctls
+    unsigned IoctlType; ///< type in _IOC() of the ioctls that are handled
     int GoneResult;     ///< result of reads and writes after unplugging; ioctls return -ENODEV
     std::function<int(const std::uint8_t* bytes, std::size_t size)> Write;
     std::function<int(UMockdevIoctlClient* client, unsigned long request)> Ioctl;
   };
 
   /**
-   * The device's entries in umockdev's format for udev, and the paths of its devices, the innermost
-   * first.
+   * The device's udev entries in umockdev's format, and the paths of its devices, innermost first.
    */
   struct Device
   {
@@ -54,7 +53,7 @@ public:
   FifoNode(const FifoNode&) = delete;
   FifoNode& operator=(const FifoNode&) = delete;
 
-  /** Unplugs the device. From then on, calls of open files fail. */
+  /** Unplugs the device. From then on, calls on open files fail. */
   void Unplug();
   /**
    * Sends data to the reading program. Any thread may call it. The data are lost if the FIFO is
@@ -66,7 +65,9 @@ public:
   /** Sets the permissions of the node, such as 0000. */
   void SetPermissions(unsigned mode);
 
-  /** Calls `answer` with the target of the client's ioctl argument. Returns its result. */
+  /**
+   * Calls `answer` with the memory that the client's ioctl argument points to. Returns its result.
+   */
   static int WithTarget(UMockdevIoctlClient* client, std::size_t size,
     const std::function<int(std::uint8_t* bytes)>& answer);
 

@@ -55,7 +55,8 @@ struct HaplyService::Server
 
   std::mutex Mutex; // guards all following members
   std::vector<std::thread> Threads;
-  std::vector<int> Sockets; // duplicates of open connections, with which the destructor ends them
+  // duplicates of open connections, through which the destructor ends them
+  std::vector<int> Sockets;
   std::list<Listener*> Listeners;
   std::vector<HaplySession> Sessions;
   HaplyState Arms;
@@ -106,7 +107,7 @@ struct HaplyService::Server
           }
           catch (const std::exception&)
           {
-            // Either the client or this service has ended.
+            // Either the client or this service has ended the connection.
           }
           const std::lock_guard<std::mutex> other(this->Mutex);
           this->Sockets.erase(std::find(this->Sockets.begin(), this->Sockets.end(), number));
@@ -151,7 +152,7 @@ struct HaplyService::Server
     return std::any_of(this->Sessions.begin(), this->Sessions.end(),
       [&arm](const HaplySession& session) { return session.IsOpen && session.Arm == arm; });
   }
-  /// Returns the view of a session that has not configured anything.
+  /// Returns the initial view of a session, before any configuration.
   HaplyView MakeView() const
   {
     HaplyView view;
@@ -201,7 +202,7 @@ struct HaplyService::Server
   void Converse(websocket::stream<tcp::socket&>& stream, std::size_t session)
   {
     HaplyView view = this->MakeView();
-    std::future<void> flood; // its destructor waits for the thread's end
+    std::future<void> flood; // its destructor waits until the thread has ended
     for (beast::flat_buffer buffer;; buffer.clear())
     {
       stream.read(buffer);
@@ -259,7 +260,7 @@ struct HaplyService::Server
       goesOn = this->Arms.Fault == fault && (sent >= 0 || errno == EAGAIN);
     }
   }
-  /// Answers in a way in which no service should answer. Frames follow RFC 6455, section 5.2.
+  /// Sends an answer that no service should send. Frames follow RFC 6455, section 5.2.
   std::future<void> Misbehave(int number, HaplyFault fault)
   {
     const auto send = [number](const char* bytes, std::size_t size)
@@ -306,7 +307,7 @@ struct HaplyService::Server
       ++session.Refused;
       return;
     }
-    // In newer versions, the preset must be an object, even for one name. A bare string is an
+    // In newer versions, the preset must be an object, even for a single name. A bare string is an
     // error.
     const Json::json_pointer preset(arm + "/configure/preset/preset");
     const Json::json_pointer basis("/session/configure/basis/permutation");
@@ -351,14 +352,14 @@ struct HaplyService::Server
     if (hasHttp && !body.empty())
     {
       answer.result(http::status::ok);
-      // Version 3.5 puts the content into an envelope. Tutorial 00 shows the same content without
-      // an envelope.
+      // Version 3.5 wraps the content in an envelope. Tutorial 00 shows the same content without
+      // one.
       answer.body() = this->Arms.IsNew() ? "{\"ok\":true,\"data\":" + body + "}" : body;
     }
     answer.prepare_payload();
     http::write(socket, answer);
   }
-  /// Serves a listener of events until the listener disconnects.
+  /// Serves a client of the event channel until it disconnects.
   void Hold(tcp::socket& socket)
   {
     websocket::stream<tcp::socket&> stream(socket);

@@ -25,7 +25,7 @@
  * isaaclab/devices/haply, and jhu-saw/sawHaplyService 25f21be. The Rust client haply 0.7.1 asks for
  * a full state by "force_render_full_state".
  *
- * No document says how long a force lasts without another message, or after its client has left.
+ * No document states how long a force lasts without another message, or after its client has left.
  * Here it lasts forever, which is the worst case.
  */
 #ifndef PlayedHaplyService_h
@@ -44,9 +44,9 @@ namespace emulated
 struct HaplySession
 {
   std::string Greeting;       ///< the first message
-  std::string Arm;            ///< id of the arm that the session commands
+  std::string Arm; ///< id of the arm that the session controls
   std::vector<Triple> Forces; ///< N, one per message
-  int Refused = 0;            ///< number of messages that are not understood
+  int Refused = 0; ///< number of messages that were not understood
   bool IsOpen = true;
 };
 
@@ -65,30 +65,30 @@ public:
   /** Closes all connections, and stops listening. */
   void Die();
   void Break(HaplyFault fault);
-  /** Sends an event to all listeners of events. */
+  /** Sends an event to all clients of the event channel. */
   void PushEvent(const std::string& json);
   std::size_t CountListeners();
-  /** Ends the connections of all listeners of events. */
+  /** Ends the connections of all clients of the event channel. */
   void DropListeners();
 
   ///@{
   /**
-   * Sets the hand's goal (m), from the middle of the workspace, in Haply's axes. GetTip() returns
-   * the tip in the same way.
+   * Sets the hand's goal (m) relative to the centre of the workspace, in Haply's axes. GetTip()
+   * returns the tip in the same frame.
    */
   void SetGoal(const Triple& goal);
   Triple GetTip();
   ///@}
-  /** Moves the arm (m) without its hand, as a change of the preset does. */
+  /** Moves the arm (m) without its hand, like a change of the preset. */
   void Shift(const Triple& by);
-  /** Returns the present force (N) of the arm. */
+  /** Returns the current force (N) of the arm. */
   Triple GetForce();
 
   void SetCalibrated(bool isCalibrated);
   void SetReady(bool isReady);
   void Unplug();
   void PlugIn();
-  /** Sets the session's transform (position in m, and scale), as a program of the Hub does. */
+  /** Sets the session's transform (position in m, and scale), like a program of the Hub. */
   void SetTransform(const Triple& position, double scale);
   /** Sets the wireless grip's orientation (w, x, y, z) and whether its button a is pressed. */
   void SetGrip(const std::array<double, 4>& orientation, bool isPressed);

@@ -15,7 +15,8 @@ using Clock = std::chrono::steady_clock;
 /// m: position in the documentation's example of an inventory. The tip is in front of the arm's
 /// base.
 constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
-constexpr double LongestStep = 5e-3; // s; a longer pause moves the hand as far as this time
+// s; a longer pause moves the hand only as far as this time does
+constexpr double LongestStep = 5e-3;
 constexpr double ShortStep = 1e-4;   // s
 
 /// Returns, for each axis of a session, the index and the sign of Haply's axis.
@@ -68,7 +69,7 @@ std::array<double, 4> HaplyView::ToSession(const std::array<double, 4>& haply) c
   return { haply[0], hand * axis[0], hand * axis[1], hand * axis[2] };
 }
 
-/// Writes objects as text, in the order and with the omissions of a service.
+/// Writes objects as text, with the order and the omissions of a service.
 class HaplyState::Writer
 {
 public:
@@ -128,7 +129,7 @@ public:
     }
     return this->Object(members);
   }
-  /// Writes a family of devices as a list, or as a map from identifiers.
+  /// Writes a family of devices as a list, or as a map with identifiers as keys.
   std::string Family(const std::vector<std::pair<std::string, Members>>& devices) const
   {
     if (this->Shape.HasMaps)
@@ -204,8 +205,7 @@ HaplyState::Members HaplyState::MakeArm(
     arm.emplace_back("config", write.Object(config));
   }
   arm.emplace_back("state", write.Object(state));
-  // Write all flags, or leave out all that are false: the documentation does not say what a missing
-  // flag means.
+  // Write all flags, or omit all that are false: the documentation does not define a missing flag.
   Members status;
   for (const auto& [name, value] : { std::pair("calibrated", this->IsCalibrated),
          std::pair("in_use", isInUse), std::pair("power_supply", true),

@@ -25,37 +25,33 @@ struct HaplyShape
   std::string Version = "3.5.0";
   std::string Family = "inverse3"; ///< device family of both arms
   std::string Type = "inverse3";
-  bool HasMaps = false;       ///< writes maps from identifiers to devices, as version 3.0 does
-  bool OmitsDefaults = false; ///< leaves out numbers that equal their default, and released buttons
+  bool HasMaps = false; ///< writes maps from identifiers to devices, like version 3.0
+  bool OmitsDefaults = false; ///< omits numbers that equal their default, and released buttons
   bool IsReordered = false;   ///< writes the members of objects in reverse order
   bool HasEvents = true;
-  bool HasOwnHttp = false;      ///< uses another port for HTTP than for states, as versions up to
-                                ///< 3.1 do
+  bool HasOwnHttp = false; ///< uses different ports for HTTP and states, like versions up to 3.1
   bool HasDeviceList = true;    ///< lists devices by HTTP
-  bool OmitsFalseFlags = false; ///< leaves out the false flags of a status
-  bool HasStatus = true;        ///< writes the status into states, and not only into the inventory
-  int DropTime = 0;             ///< ms until a closed session does not count as in use
-  /**
-   * Basis of a session that names no basis. Haply's Hub may use the basis of an earlier session
-   * again.
-   */
+  bool OmitsFalseFlags = false; ///< omits the false flags of a status
+  bool HasStatus = true; ///< writes the status into states, too, instead of only into the inventory
+  int DropTime = 0; ///< time (ms) for which a closed session still counts as in use
+  /** Basis of a session that sets none. Haply's Hub may reuse the basis of an earlier session. */
   std::string Basis = "XYZ";
   /**
-   * m: a position's x is larger by this, times the number of the session's message that the state
-   * answers.
+   * m: number that is added to a position's x for each message of the session up to the one that
+   * the state answers.
    */
   double NumberScale = 0.0;
-  /** Preset of a session that names no preset. */
+  /** Preset of a session that sets none. */
   std::string Preset = "defaults";
-  bool TakesPresets = true; ///< false: a session keeps the preset that it begins with
+  bool TakesPresets = true; ///< false: a session keeps its initial preset
   bool TellsConfig = true;  ///< writes the configuration into a requested full state
-  std::string VersionNotes; ///< JSON sent with the version
+  std::string VersionNotes; ///< JSON that is sent with the version
 };
 
 enum class HaplyFault
 {
   None,
-  Silent,    ///< accepts messages, and does not answer them
+  Silent, ///< accepts messages without answering them
   Slow,      ///< delays each state by 60 ms
   Junk,      ///< sends states that are not JSON
   Blind,     ///< sends states without a position
@@ -66,18 +62,18 @@ enum class HaplyFault
   Twice,     ///< answers each message twice
   Wrong,     ///< answers with a frame that the protocol forbids
   TooLong,   ///< announces a message of 4 GiB
-  Leaves,    ///< closes the connection as the protocol says
-  HalfEnds,  ///< ends its half of the connection without a message
+  Leaves, ///< closes the connection with the protocol's handshake
+  HalfEnds, ///< closes its direction of the connection without a message
   Resets,    ///< resets the connection
-  Pings,     ///< sends pings without end, and answers no messages
-  DeafPings  ///< sends pings without end, and reads nothing
+  Pings, ///< sends pings endlessly, and answers no messages
+  DeafPings ///< sends pings endlessly, and reads nothing
 };
 
-/// The axes and the origin in which a session sees vectors.
+/// The axes and the origin of a session's vectors.
 struct HaplyView
 {
-  std::string Preset = "defaults"; ///< preset with the origin: the arm's base, or the centre of the
-                                   ///< workspace
+  /// preset that defines the origin: the arm's base, or the centre of the workspace
+  std::string Preset = "defaults";
   bool IsWhole = false;            ///< whether the next state includes the configuration
   /// Axes of the session. In "YZX", the session's x is Haply's y, its y is Haply's z, and its z is
   /// Haply's x. A minus before a letter reverses that axis.
@@ -94,7 +90,7 @@ class HaplyState
 public:
   static constexpr const char* Id = "049D";
   static constexpr const char* Other = "04BA"; ///< id of a second arm, which no force moves
-  /// Returns 200 kB of nested lists, which are valid by RFC 8259, but useless.
+  /// Returns 200 kB of nested lists, which are valid according to RFC 8259, but meaningless.
   static std::string DeepJson() { return std::string(100000, '[') + std::string(100000, ']'); }
 
   explicit HaplyState(const HaplyShape& shape)

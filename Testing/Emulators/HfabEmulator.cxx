@@ -23,13 +23,13 @@ using Clock = std::chrono::steady_clock;
 constexpr double Pi = 3.14159265358979323846;
 constexpr double LargestCurrent = 6000.0; // mA, escon_max_milliamps
 constexpr auto Watchdog = std::chrono::milliseconds(100);
-/// A host waits longer than this between its first two messages, unless the controller answers the
+/// The first two messages of a host are farther apart than this, unless the controller answers the
 /// first one.
 constexpr auto Patience = std::chrono::milliseconds(15);
-/// For this long after such a pause, answers and messages may cross.
+/// After such a pause, answers and messages may cross for this time.
 constexpr auto Confusion = std::chrono::milliseconds(200);
 
-/** A row of the host's tables, with the host's names and in the host's order. */
+/** A row of the host's tables, with the host's names and order. */
 struct Row
 {
   Triple CapstanDiameters;
@@ -61,10 +61,7 @@ double Square(double x)
   return x * x;
 }
 
-/**
- * Returns Polhem's tip position by the host's formula, from the angles of three triangles at the
- * elbow.
- */
+/** Returns Polhem's tip position by the host's formula, from three triangle angles at the elbow. */
 Triple PolhemTip(const Triple& t)
 {
   constexpr double l0 = 34e-3;
@@ -112,7 +109,7 @@ std::array<Triple, 3> SlopesOf(int model, const Triple& angles)
   return slopes;
 }
 
-/** Computes the angles for a tip position by Newton's method, starting from angles nearby. */
+/** Computes the angles for a tip position by Newton's method, starting from nearby angles. */
 void Follow(int model, const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -213,7 +210,7 @@ HfabEmulator::HfabEmulator(int model)
   }
   this->Port = ptsname(this->Master);
   this->PlaceAtHome();
-  // At power-on, the encoders count from 0 wherever the arm is.
+  // After power-on, the encoders count from 0 wherever the arm is.
   this->Angles[0] += 0.1;
   this->Hand.Place(TipOf(model, this->Angles));
   this->PressButton();
@@ -287,8 +284,8 @@ Triple HfabEmulator::GetForce() const
     torques[j] = 1e-3 * this->Currents[j] * row.TorqueConstants[j] * SignOf(row, j) *
       row.BodyDiameters[j] / row.CapstanDiameters[j];
   }
-  // The torque of each joint is the force along the joint's slope. This gives three equations for
-  // the force.
+  // The torque of each joint is the force projected on the derivative for that joint, which gives
+  // three equations for the force.
   const std::array<Triple, 3> m = SlopesOf(this->Model, this->Angles);
   const Triple x{ m[0][0], m[1][0], m[2][0] };
   const Triple y{ m[0][1], m[1][1], m[2][1] };
@@ -334,16 +331,16 @@ void HfabEmulator::Run()
       continue;
     }
     const ssize_t size = read(master, bytes, sizeof(bytes));
-    // A controller never stalls, but this thread may, and bytes may be delayed. So after a pause,
-    // treat messages that arrive together as messages that were sent one after another.
+    // A controller never stalls, but this thread may, and bytes may be delayed. After a pause,
+    // therefore treat messages that arrive together as if they had been sent one after another.
     const auto now = Clock::now();
     this->HeldUpUntil = now - this->LastBytes > Patience ? now + Confusion : this->HeldUpUntil;
     const bool wasHeldUp = now < this->HeldUpUntil && this->Fault != HfabFault::Late;
     this->LastBytes = now;
     for (ssize_t i = 0; i < size; ++i)
     {
-      // After a message, the firmware drops all waiting bytes. If these are more than the end of
-      // the line, the firmware rejects the message.
+      // After a message, the firmware discards all waiting bytes. If there are more than the end of
+      // the line, it rejects the message.
       const bool isTrailed = !wasHeldUp &&
         std::any_of(
           bytes + i + 1, bytes + size, [](char c) { return c != '\n' && c != '\r' && c != '\0'; });
@@ -366,8 +363,8 @@ void HfabEmulator::Move()
 }
 
 /**
- * Takes a byte like await_message() of the firmware, which waits for a ']' and counts brackets and
- * commas.
+ * Processes a byte like await_message() of the firmware, which waits for a ']' and counts brackets
+ * and commas.
  */
 void HfabEmulator::Take(char byte, bool isTrailed)
 {

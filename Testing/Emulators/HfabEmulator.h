@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * An arm with an hfab controller behind a pseudo-terminal, written from its published firmware and
- * host.
+ * An arm with an hfab controller at a pseudo-terminal, written from its published firmware and host
+ * program.
  *
  * The controller is the firmware of forsslund/woodenhaptics, firmware/woody_teensy_mini (commit
  * 86ecdba):
@@ -42,8 +42,8 @@ enum class HfabFault
   Silence,
   Junk,     ///< sends bytes that are not an answer
   Late,     ///< answers after 30 ms
-  OtherArm, ///< reports a different model
-  Refusal,  ///< rejects messages, as if another message followed each one
+  OtherArm, ///< reports another model
+  Refusal, ///< rejects messages, as if each were followed by another one
   Jump      ///< an encoder jumps by 1000 counts
 };
 
@@ -62,19 +62,19 @@ public:
   /** Moves the arm into its calibration pose at once. */
   void PlaceAtHome();
   void PressButton();
-  /** Requires that the button is pressed first, as the firmware with calibration_needed does. */
+  /** Requires that the button is pressed first, like the firmware with calibration_needed. */
   void NeedButton() { this->NeedsButton = true; }
   void SetGoal(const Triple& goal);
   /** Turns the handle until its encoders have these counts. */
   void SetHandle(const std::array<int, 3>& counts);
   Triple GetTip() const;
-  /** Returns the force (N) of the present currents on the hand. */
+  /** Returns the force (N) of the currents on the hand. */
   Triple GetForce() const;
   std::array<int, 3> GetCurrents() const;
   int GetMessages() const { return this->Messages; }
   /**
-   * Returns how often the watchdog has switched the currents off. GetErrors() returns the bits of
-   * errors in messages.
+   * GetWatchdogs() returns how often the watchdog has switched the currents off. GetErrors()
+   * returns the bits of errors in messages.
    */
   int GetWatchdogs() const { return this->Watchdogs; }
   int GetErrors() const { return this->Errors; }
@@ -84,7 +84,7 @@ public:
   bool IsRaw() const;
 
   ///@{
-  /** Functions with the published arithmetic, for calibrated counts. */
+  /** The published arithmetic, for calibrated counts. */
   static Triple TipOf(int model, const Triple& angles);
   static Triple AnglesOf(int model, const std::array<int, 3>& counts);
   static std::array<int, 3> HomeOf(int model);
@@ -122,7 +122,7 @@ private:
   std::atomic<int> Errors{ 0 };
   std::atomic<bool> Stop{ false };
   std::atomic<bool> NeedsButton{ false };
-  int Pretended = 0; ///< number of answers whose counts are not positions
+  int Pretended = 0; ///< number of remaining answers whose counts are not positions
   std::thread Thread;
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Builds HID report descriptors item by item, after the HID 1.11 specification, 6.2.2.
+ * Builds HID report descriptors item by item, according to the HID 1.11 specification, 6.2.2.
  *
  * \code
  *   HidItems items;
@@ -95,7 +95,7 @@ private:
   {
     return this->Item(prefix, data, data < 0x100 ? 1 : data < 0x10000 ? 2 : 4);
   }
-  /** Writes a signed value in as many bytes as it needs with its sign: 255 takes two bytes. */
+  /** Writes a number in as many bytes as it needs including its sign: 255 takes two bytes. */
   HidItems& Signed(std::uint8_t prefix, std::int64_t data)
   {
     const int size = data >= -0x80 && data < 0x80 ? 1 : data >= -0x8000 && data < 0x8000 ? 2 : 4;

@@ -62,7 +62,7 @@ HidOverUsb::HidOverUsb(HidModel& model)
   {
     {
       const std::lock_guard<std::mutex> lock(this->Mutex);
-      // If no program reads, keep the newest reports, as a device does.
+      // While no program reads, keep only the newest reports, like a device.
       if (this->Inputs.size() == MostInputs)
       {
         this->Inputs.pop_front();
@@ -116,7 +116,7 @@ int HidOverUsb::GetDescriptor(const std::uint8_t setup[8], std::uint8_t* data, i
   {
     return -EPIPE;
   }
-  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // the list of languages has English only
+  Bytes text = { 4, DescriptorString, 0x09, 0x04 }; // the list of languages contains only English
   if (index > 0)
   {
     const std::string name = index == 1 ? "Emulated" : this->Model.GetName();
@@ -156,8 +156,8 @@ int HidOverUsb::GetReport(std::uint8_t type, std::uint8_t id, std::uint8_t* data
   {
     return -EPIPE;
   }
-  // Models always begin a report with an id. On the wire, a report has an id only if the device
-  // uses ids.
+  // Models always begin a report with an id. The transmitted report contains the id only if the
+  // device uses ids.
   Bytes report(static_cast<std::size_t>(size) + 64, 0);
   report[0] = id;
   const int given = this->Model.GetFeature(report.data(), static_cast<int>(report.size()));

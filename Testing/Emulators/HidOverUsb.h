@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Makes a USB device of a HID device's model: descriptors, requests of the HID class, and two
+ * Turns a HID device's model into a USB device: descriptors, requests of the HID class, and two
  * interrupt endpoints.
  */
 #ifndef HidOverUsb_h
@@ -19,8 +19,8 @@ class HidOverUsb : public UsbModel
 {
 public:
   /**
-   * The model has to outlive this object, which sets the model's Input. Input may be called from
-   * any thread.
+   * The model must outlive this object, which sets the model's Input. Input may be called from any
+   * thread.
    */
   explicit HidOverUsb(HidModel& model);
 
@@ -29,7 +29,7 @@ public:
   int Out(std::uint8_t endpoint, const std::uint8_t* bytes, int size) override;
   int In(std::uint8_t endpoint, std::uint8_t* bytes, int size) override;
 
-  /** Drops input reports that were not read, as a loss of power does. */
+  /** Drops unread input reports, like a loss of power. */
   void Forget();
 
 private:

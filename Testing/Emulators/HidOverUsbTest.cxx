@@ -11,7 +11,7 @@ namespace machinetest
 class HidOverUsbTest : public testing::TestWithParam<bool>
 {
 protected:
-  /// Returns a report's bytes on the wire: without the id, if the device uses no ids.
+  /// Returns a report's bytes as transmitted: without the id, if the device uses no ids.
   static Bytes Wire(Bytes report)
   {
     report.erase(report.begin(), report.begin() + (GetParam() ? 0 : 1));
@@ -60,7 +60,7 @@ TEST_P(HidOverUsbTest, CarriesReports)
   ASSERT_TRUE(this->Kernel.In(2, 1, 64));
   EXPECT_EQ(this->Kernel.Receive(true).Data, wire);
 
-  // An output report may also come as a control request.
+  // An output report may also be sent as a control request.
   const auto size = static_cast<std::uint8_t>(wire.size());
   EXPECT_EQ(this->Kernel.Request({ 0x21, 9, Id(), 2, 0, 0, size, 0 }, wire).Status, 0);
   ASSERT_TRUE(this->Kernel.In(3, 1, 64));

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The handle of a haptic device in simulated time, which can carry a weight or press a kitchen
+ * The handle of a haptic device in simulated time, which can carry a weight or press on a kitchen
  * scale. The handle follows Newton's second law, m a = sum of forces, with Coulomb's dry friction,
- * a friction proportional to the speed, and Hooke's law for the arm's own springs and for the
- * scale. The motors give `Strength` newtons for each newton of a command. This law is independent
- * of the device's driver and of the tool: a measurement must find the values that are set here.
+ * viscous friction, and Hooke's law for the arm's own springs and for the scale. The motors exert
+ * `Strength` newtons for each newton of a command. The simulation is independent of the device's
+ * driver and of the tool: a measurement must yield the values that are set here.
  */
 #ifndef HungHandle_h
 #define HungHandle_h
@@ -21,7 +21,7 @@ class HungHandle
 public:
   static constexpr double Gravity = 9.80665; ///< m/s^2
 
-  double Strength = 1.0;          ///< N given for each newton of a command
+  double Strength = 1.0; ///< N exerted for each newton of a command
   double Mass = 0.15;             ///< kg, mass of handle and arm
   double Balance = 0.9;           ///< fraction of the handle's weight that the arm carries
   double ArmStiffness = 15.0;     ///< N/m, stiffness of the arm's own springs
@@ -32,8 +32,9 @@ public:
   double Weight = 0.0;            ///< kg, mass that hangs on the handle
   bool IsHeld = true;             ///< whether a hand holds the handle in place
   double Tremor = 0.0;            ///< m, size of the holding hand's tremor
-  bool HasScale = false;          ///< whether the plate of a scale is below the handle, across y
-  double PlateBelow = 0.005;      ///< m, distance of the plate below the start
+  /// whether there is a scale below the handle, with its plate perpendicular to y
+  bool HasScale = false;
+  double PlateBelow = 0.005; ///< m, distance of the plate below the initial position
   double ScaleStiffness = 5000.0; ///< N/m
   double ScaleDamping = 20.0;     ///< N s/m
 
@@ -56,7 +57,7 @@ public:
     }
     return tip;
   }
-  /// Returns the mass (g) that the scale shows, rounded as by kitchen scales.
+  /// Returns the mass (g) that the scale shows, rounded like on a kitchen scale.
   double GetShown() const { return std::round(1e3 * this->OnScale / Gravity); }
 
 private:
@@ -88,7 +89,8 @@ private:
           std::max(0.0, this->ScaleStiffness * depth - this->ScaleDamping * this->Velocity[a]);
         force += this->OnScale;
       }
-      // Friction reduces the speed and never reverses it. Viscosity acts at the end of the step.
+      // Friction reduces the speed but never reverses it. Viscous friction acts at the end of the
+      // step.
       const double pushed = this->Velocity[a] + time / mass * force;
       const double taken = time / mass * this->Friction;
       const double left = std::max(0.0, std::abs(pushed) - taken);

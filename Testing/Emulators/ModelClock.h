@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Calls a model once per millisecond of its own time, which never runs ahead of the clock. */
+/** Calls a model once per millisecond of its own time, which never runs ahead of the real time. */
 #ifndef ModelClock_h
 #define ModelClock_h
 
@@ -33,8 +33,7 @@ private:
     while (!this->Stop)
     {
       step();
-      // Do not run missed ticks later. On a busy machine, the model then becomes slow instead of
-      // jumping.
+      // Skip missed ticks. On a busy machine, the model then slows down instead of jumping.
       next = std::max(std::chrono::steady_clock::now(), next + std::chrono::milliseconds(1));
       std::this_thread::sleep_until(next);
     }

@@ -9,7 +9,7 @@ namespace emulated
 {
 namespace
 {
-/** Numbers of reports, as in ffb_defs.h. Input reports have the same numbers as output reports. */
+/** Numbers of reports, as in ffb_defs.h. Input and output reports have the same numbers. */
 enum ReportId : std::uint8_t
 {
   Place = 0x01,
@@ -45,8 +45,8 @@ void EffectTypes(HidItems& items)
 }
 
 /**
- * Describes the vendor's reports for the board's settings, in both directions. Each has a value and
- * an address of 64 bits each.
+ * Describes the vendor's reports for the board's settings, in both directions. Each contains a
+ * value and an address of 64 bits each.
  */
 void DescribeCommands(HidItems& items)
 {

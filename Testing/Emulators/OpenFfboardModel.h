@@ -25,8 +25,8 @@
  * negative of this, with y's own direction, along y.
  *
  * The previous version, 1.16.0 (HidFFB.cpp of commit 92c62ee8), uses cos(direction) for y, which
- * pushes y the other way. So do all versions since 1.10.0 (commit 6ae9fac1). Older versions push y
- * as 1.17.1 does.
+ * pushes y in the opposite direction, as in all versions since 1.10.0 (commit 6ae9fac1). Older
+ * versions push y like 1.17.1.
  */
 #ifndef OpenFfboardModel_h
 #define OpenFfboardModel_h
@@ -67,7 +67,7 @@ public:
   }
   std::vector<std::uint8_t> GetReportDescriptor() const override;
 
-  /** An analogue input of a wheel (-1 to 1), which is the second axis of its input report. */
+  /** An analogue input of a wheel (-1 to 1), which is reported as the second axis. */
   std::atomic<double> Pedal{ 0.0 };
 
 private:
@@ -76,7 +76,7 @@ private:
 
   struct Effect
   {
-    int Type = 0; ///< 0: free
+    int Type = 0; ///< 0: unused
     bool IsActive = false;
     int Magnitude = 0;
     int Gain = 255;

@@ -10,7 +10,7 @@ namespace emulated
 {
 namespace
 {
-constexpr long JiffyTime = 4; // ms
+constexpr long JiffyTime = 4; // ms, period of the kernel's timer
 using Lock = std::lock_guard<std::recursive_mutex>;
 
 input_absinfo Range(int least, int most, int flat, bool isStick)
@@ -93,7 +93,7 @@ void PadModel::Send(unsigned type, unsigned code, int value)
   event.code = static_cast<__u16>(code);
   event.value = value;
   input_event end{};
-  this->Input({ event, end }); // zeros mean EV_SYN and SYN_REPORT
+  this->Input({ event, end }); // zeros are EV_SYN and SYN_REPORT
 }
 
 void PadModel::Move(unsigned axis, double share)
@@ -117,7 +117,8 @@ void PadModel::MoveUnheard(unsigned axis, double share)
   input_event rest{};
   rest.type = EV_ABS;
   rest.code = static_cast<__u16>(axis);
-  rest.value = this->Axes.at(axis).minimum; // not the axis' value, because events were lost
+  // a value other than the axis's, because events were lost
+  rest.value = this->Axes.at(axis).minimum;
   this->Input({ dropped, rest, {} });
 }
 
@@ -338,7 +339,7 @@ void PadModel::PlayEffects()
   {
     this->Force = 0x80 + static_cast<int>(std::lround(std::clamp(x, -128.0, 127.0)));
   }
-  // Motors get new speeds only while an effect begins, plays or ends.
+  // Motors get new speeds only when an effect begins, plays or ends.
   if (hasAny && (strong != this->Motors.Strong || weak != this->Motors.Weak))
   {
     this->Motors = { this->GetTime(), strong, weak };
@@ -378,7 +379,7 @@ void PadModel::Step()
   }
   if (this->Model == Kind::Wheel)
   {
-    // At full strength, the centring spring gives the full force at the end of the axis.
+    // At full strength, the centring spring exerts the full force at the end of the axis.
     const double spring = -FullScale * this->Autocentre / 0xFFFF * this->Hand.Tip[0] / Travel;
     this->Hand.Step(1e-3, { this->ComputeForce() + spring, 0.0, 0.0 });
     this->Move(ABS_X, std::clamp(this->Hand.Tip[0] / Travel, -1.0, 1.0));

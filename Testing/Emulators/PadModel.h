@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A gamepad or a wheel and its kernel driver, as a program sees them through evdev.
+ * A gamepad or a wheel with its kernel driver, as programs access them through evdev.
  *
- * Written from the kernel, not from the driver of this library:
+ * Written from the kernel's sources and documentation, independently of this library's driver:
  * - linux/input.h: structures and requests; ff.rst and gamepad.rst of the kernel's documentation;
  * - drivers/input/ff-core.c: the owners of effects; closing a file removes its effects;
  * - drivers/input/ff-memless.c: when effects begin, end and add up. An effect that is changed while
@@ -18,7 +18,7 @@
  * The wheel is a Logitech G29 with the kernel's drivers/hid/hid-lg4ff.c, held by a hand. ff-memless
  * combines its constant forces as x = sin(direction) level: an effect pulls in its direction, and
  * 0x4000 is left (linux/input.h). The device gets one byte, in which 0x80 means no force. The wheel
- * also has a spring towards the centre, and a gain.
+ * also has a centring spring, and a gain.
  */
 #ifndef PadModel_h
 #define PadModel_h
@@ -51,10 +51,10 @@ public:
     Wheel        ///< a wheel at X, pedals at Y, Z and RZ; constant forces
   };
 
-  /** Speeds of the motors from a time on, from 0 to 65535. */
+  /** Speeds of the motors from a point in time on, from 0 to 65535. */
   struct Change
   {
-    double Time = 0.0; ///< s since the model began
+    double Time = 0.0; ///< s since the model was created
     int Strong = 0;
     int Weak = 0;
   };
@@ -78,20 +78,20 @@ public:
    */
   void Move(unsigned axis, double share);
   void Press(unsigned button, bool isHeld);
-  /** Moves an axis, but loses the event, as if the kernel's buffer was full. */
+  /** Moves an axis, but loses the event, as if the kernel's buffer were full. */
   void MoveUnheard(unsigned axis, double share);
   ///@}
 
   ///@{
   /**
-   * Requests of a program's file. Any number may identify the file. Results are 0 or more, or
-   * -errno.
+   * Requests from a program's file. Any pointer may identify the file. Return nonnegative results,
+   * or -errno.
    */
   int Grab(const void* file, bool isOn);
   int Upload(const void* file, ff_effect& effect);
   int Erase(const void* file, int id);
   int Write(const input_event& event);
-  /** Closes the program's files, as the kernel does when a program ends. */
+  /** Closes the program's files, like the kernel when a program ends. */
   void CloseFiles();
   input_absinfo GetAxis(unsigned code);
   bool IsPressed(unsigned button);
@@ -114,7 +114,7 @@ public:
   double GetPlace();
   double GetForce();
   int GetAutocentre();
-  /** Whether the effects of the next program are refused, as by a device that does not answer. */
+  /** Whether the next program's effects are refused, as by an unresponsive device. */
   std::atomic<bool> Refuses{ false };
   std::string Serial; ///< serial number that the driver reports; may be empty
   ///@}
@@ -126,9 +126,7 @@ public:
   void ForgetHistory();
   double GetTime() const;
   int CountEffects();
-  /**
-   * Returns the length (ms) of the longest effect that was requested. 0 is an effect without end.
-   */
+  /** Returns the length (ms) of the longest requested effect; 0 stands for an endless effect. */
   int GetLongestReplay();
   ///@}
 
@@ -165,7 +163,7 @@ private:
   std::array<Effect, 16> Effects{};
   long TimerAt = -1;
   int Gain = 0xFFFF;
-  int Autocentre = 0x8000; ///< strength of the centring spring, as another program left it
+  int Autocentre = 0x8000; ///< strength of the centring spring, as left by another program
   int Force = 0x80;        ///< byte sent to the wheel; above 0x80, it pushes to the left
   EmulatedHand Hand;
   int LongestReplay = 1;

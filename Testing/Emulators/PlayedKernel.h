@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Plays the kernel's side of USB/IP for a test, command by command.
- */
+/** Simulates the kernel's side of USB/IP for a test, command by command. */
 #ifndef PlayedKernel_h
 #define PlayedKernel_h
 
@@ -25,8 +23,8 @@ using Bytes = std::vector<std::uint8_t>;
 
 struct Reply
 {
-  std::uint32_t Command = 0; ///< 3: answer to a transfer; 4: answer to an unlink request; 0:
-                             ///< nothing came
+  /// 3: answer to a transfer; 4: answer to an unlink request; 0: nothing was received
+  std::uint32_t Command = 0;
   std::uint32_t Number = 0;
   int Status = 0;
   Bytes Data;
@@ -47,7 +45,7 @@ public:
   }
 
   ///@{
-  /** Sends a transfer. Returns false if the device does not understand it. */
+  /** Sends a transfer. Returns false if sending fails. */
   bool In(std::uint32_t number, std::uint32_t endpoint, std::uint32_t size)
   {
     return this->Send({ 1, number, 0, 1, endpoint, 0, size, 0, 0, 0 }, Bytes(8), {});
@@ -65,7 +63,7 @@ public:
   ///@}
 
   /**
-   * Makes a control request. Returns the answer with the data, or with the size of the sent data.
+   * Sends a control request. Returns the answer with the data, or with the size of the sent data.
    */
   Reply Request(const Bytes& setup, const Bytes& data = {})
   {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Two devices that send back what they receive, for tests of the carriers alone. */
+/** Two devices that return the data they receive, for tests of the carriers alone. */
 #ifndef SmallModels_h
 #define SmallModels_h
 
@@ -56,8 +56,8 @@ private:
 };
 
 /**
- * A HID device with reports of four bytes, with or without ids. Output reports come back as input
- * reports, and a feature keeps its value.
+ * A HID device with reports of four bytes, with or without ids. Output reports are returned as
+ * input reports, and a feature report keeps its value.
  */
 class EchoHid : public emulated::HidModel
 {

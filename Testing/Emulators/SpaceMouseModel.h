@@ -3,13 +3,13 @@
 
 /**
  * A six-axis mouse. A hand pushes and turns its cap by counts, which the mouse repeats while the
- * cap is held.
+ * cap is deflected.
  *
  * The source is FreeSpacenav/spacenavd, src/dev.c, commit bac572a: the models, their axes (for most
  * models, y points towards the hand and z down; for some, y points up and z away from the hand),
  * and the numbers of the Enterprise's keys (usbdb; bnhack_sment(), where the kernel's code of a key
- * is 255 more than its number in the report). That file does not state the lengths of reports,
- * because it reads evdev. Here they are 3Dconnexion's, as in other public drivers.
+ * is 255 more than its number in the report). That file does not contain the lengths of reports,
+ * because it uses evdev. Here they are 3Dconnexion's, as in other public drivers.
  */
 #ifndef SpaceMouseModel_h
 #define SpaceMouseModel_h
@@ -27,8 +27,8 @@ namespace emulated
 class SpaceMouseModel : public HidModel
 {
 public:
-  using Counts = std::array<std::int16_t, 6>; ///< three pushes along the axes, then three turns
-                                              ///< about them
+  /// pushes along the three axes, then rotations about them
+  using Counts = std::array<std::int16_t, 6>;
 
   enum class Kind : std::uint8_t
   {
@@ -89,14 +89,14 @@ public:
   }
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Sets the cap's motion from now on. The mouse reports zeros once. */
+  /** Sets the cap's deflection from now on. The mouse reports zeros only once. */
   void Push(const Counts& counts)
   {
     const std::lock_guard<std::mutex> lock(this->Guard);
     this->Held = counts;
     this->Report();
   }
-  /** Advances by a millisecond. The mouse repeats a held motion every 16 ms. */
+  /** Advances by a millisecond. The mouse repeats a constant deflection every 16 ms. */
   void Step()
   {
     const std::lock_guard<std::mutex> lock(this->Guard);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Provides the kernel that umockdev simulates: one for each program. */
+/** Provides umockdev's simulated kernel: one per program. */
 #ifndef Testbed_h
 #define Testbed_h
 
@@ -12,9 +12,7 @@
 namespace emulated
 {
 UMockdevTestbed* Testbed();
-/**
- * Writes a device as confirmed into the user's file of devices, for tests of other things.
- */
+/** Writes a device as confirmed to the user's device file, for tests of other subjects. */
 void RememberConfirmed(const std::string& identity);
 } // namespace emulated
 

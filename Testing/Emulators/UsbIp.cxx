@@ -102,7 +102,7 @@ bool UsbIp::Submit(const Message& message)
   std::memcpy(setup, &message[10], sizeof(setup));
   const int room = static_cast<int>(size);
   const int result = this->Control(setup, data.data(), room);
-  // If a transfer to the device did not stall, all of it was sent.
+  // A transfer to the device either stalls or is sent completely.
   return this->Answer(number, result < 0 || isIn ? result : room, isIn ? data.data() : nullptr);
 }
 
@@ -119,7 +119,7 @@ bool UsbIp::Unlink(const Message& message)
   const std::uint32_t victim = ntohl(message[5]);
   const auto found = std::find_if(this->Waiting.begin(), this->Waiting.end(),
     [victim](const Transfer& transfer) { return transfer.Number == victim; });
-  // Compare the difference, because the growing numbers wrap around.
+  // Compare by the difference, because the increasing numbers wrap around.
   const bool isYetToCome = static_cast<std::int32_t>(victim - this->Newest) > 0;
   Message answer{};
   answer[0] = htonl(AnswerUnlink);
@@ -142,7 +142,7 @@ bool UsbIp::Unlink(const Message& message)
 
 bool UsbIp::AnswerWaiting()
 {
-  // Serve outputs first, because the model may answer them with an input.
+  // Serve OUT transfers first, because the model may answer them with IN data.
   for (const int direction : { 0, 0x80 })
   {
     for (auto transfer = this->Waiting.begin(); transfer != this->Waiting.end();)

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * The device's side of USB/IP, the protocol by which Linux uses USB devices over a socket. A
- * message has 48 bytes of big-endian numbers, and data. A transfer waits until the model has data
- * or room for it, or until the kernel unlinks it.
+ * The device's side of USB/IP, the protocol with which Linux uses USB devices over a socket. A
+ * message consists of 48 bytes of big-endian numbers, followed by data. A transfer waits until the
+ * model has data or room for it, or until the kernel unlinks it.
  */
 #ifndef UsbIp_h
 #define UsbIp_h
@@ -20,7 +20,7 @@ namespace emulated
 class UsbIp
 {
 public:
-  /** Answers on the socket. The socket and the model have to outlive this object. */
+  /** Answers on the socket. The socket and the model must outlive this object. */
   UsbIp(UsbModel& model, int socket)
     : Model(model)
     , Socket(socket)
@@ -30,7 +30,7 @@ public:
 
   /**
    * Reads a message and answers it. Returns false if the other side has closed the connection or
-   * sends nonsense.
+   * sends invalid data.
    */
   bool Receive();
   /**
@@ -46,18 +46,16 @@ private:
   {
     std::uint32_t Number;
     std::uint8_t Endpoint; ///< number of the endpoint
-    Bytes Data;            ///< bytes sent, or room of the requested size
+    Bytes Data; ///< bytes to send, or a buffer of the requested size
   };
 
   int Control(const std::uint8_t setup[8], std::uint8_t* data, int size);
   int Describe(std::size_t from, std::size_t size, std::uint8_t* data, int room) const;
   bool Submit(const Message& message);
   bool Unlink(const Message& message);
-  /** Tries a transfer. Returns a size or -errno; -EAGAIN if the model has no data or no room. */
+  /** Attempts a transfer. Returns a size or -errno; -EAGAIN if the model has no data or no room. */
   int Try(Transfer& transfer);
-  /**
-   * Sends an answer with a size or -errno, and with data, if any. Returns false if sending fails.
-   */
+  /** Sends an answer with a size or -errno, and optional data. Returns false if sending fails. */
   bool Answer(std::uint32_t number, int result, const std::uint8_t* data);
   bool Send(const void* bytes, std::size_t size);
 
@@ -67,8 +65,8 @@ private:
   std::list<Transfer> Waiting; ///< transfers in order of arrival
   std::uint32_t Newest = 0;    ///< number of the newest transfer
   /**
-   * Numbers of transfers that were unlinked before they arrived: the kernel's sending thread may
-   * swap both messages.
+   * Numbers of transfers that were unlinked before they arrived, because the kernel's sending
+   * thread may swap both messages.
    */
   std::set<std::uint32_t> TakenBack;
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Tests the device's side of USB/IP. The test plays the kernel's side. */
+/** Tests the device's side of USB/IP. The test simulates the kernel's side. */
 #include "PlayedKernel.h"
 #include "SmallModels.h"
 

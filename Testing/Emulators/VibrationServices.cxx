@@ -37,7 +37,7 @@ using Json = nlohmann::json;
 using Clock = std::chrono::steady_clock;
 using boost::system::error_code;
 
-/// A server that accepts one client after another on a thread of its own.
+/// A server with its own thread that accepts one client after another.
 class OneClientServer
 {
 public:
@@ -64,7 +64,7 @@ public:
           }
           catch (const std::exception&)
           {
-            // Either the client or this service has ended.
+            // Either the client or this service has ended the connection.
           }
           this->Client = -1;
         }
@@ -231,7 +231,7 @@ struct PlayedBhaptics::Server
     {
       if (this->Floods)
       {
-        std::string frames; // many whole text frames of two letters each
+        std::string frames; // many complete text frames with two letters each
         for (int i = 0; i < 10000; ++i)
         {
           frames += "\x81\x02{}";
@@ -239,7 +239,7 @@ struct PlayedBhaptics::Server
         asio::write(stream.next_layer(), asio::buffer(frames));
         continue;
       }
-      // Read the next message. If none comes within 5 ms, look for other work.
+      // Read the next message. If none arrives within 5 ms, do other work.
       pollfd waited{ stream.next_layer().native_handle(), POLLIN, 0 };
       if (::poll(&waited, 1, 5) > 0)
       {
@@ -346,7 +346,7 @@ struct PlayedWeart::Server
           { "actuationsEnabled", this->IsActuating }, { "connectedDevices", devices } } }
     }.dump();
   }
-  /// Handles a line of fields. Returns false if the line is not understood.
+  /// Processes a line of fields. Returns false if the line is not understood.
   bool Take(const std::vector<std::string>& fields)
   {
     const std::string& id = fields[0];
@@ -519,18 +519,18 @@ struct PlayedHapbeat::Server
   int LastNumber = -1;
   int Lost = 0;
   std::deque<int> Ring;
-  std::deque<int> Played; // samples of the last 16 ms
+  std::deque<int> Played; // samples played in the last 16 ms
   Clock::time_point At = Clock::now();
 
   template <typename Number>
   static Number Read(const std::vector<std::uint8_t>& packet, std::size_t at)
   {
     Number number = 0;
-    std::memcpy(&number, packet.data() + at, sizeof(number)); // the tests run on little-endian
-                                                              // machines only
+    // assumes a little-endian machine, like the tests in general
+    std::memcpy(&number, packet.data() + at, sizeof(number));
     return number;
   }
-  /// Plays the samples that are due by now.
+  /// Plays the samples that are due.
   void Step()
   {
     const Clock::time_point now = Clock::now();
@@ -549,7 +549,7 @@ struct PlayedHapbeat::Server
       }
     }
   }
-  /// Handles a packet, and sets the answer if the service gives one. Returns false if the packet is
+  /// Processes a packet, and writes the service's answer, if any. Returns false if the packet is
   /// malformed or unknown.
   bool Take(const std::vector<std::uint8_t>& packet, std::vector<std::uint8_t>& answer)
   {
@@ -593,7 +593,7 @@ struct PlayedHapbeat::Server
         }
         return packet.size() <= 1472;
       case 0x32:
-        this->IsStreaming = false; // samples in the ring are still played
+        this->IsStreaming = false; // the remaining samples in the ring are still played
         this->Told.EndsStopped = true;
         return packet.size() == 8;
       default:

@@ -3,25 +3,25 @@
 
 /**
  * Stand-ins for bHaptics' Player, WEART's middleware and a Hapbeat, each a real server on this
- * computer, written from what their makers publish:
+ * computer, written from the makers' publications:
  *
  * - The Player: bhaptics/tact-python 49719f3, bhaptics/haptic_player.py (address, a frame with
- *   Position, DotPoints of Index and Intensity, DurationMillis; the commented example has the names
- *   as they are taken here) and bhaptics/haptic-library ab77d37, samples/csharp/src/Bhaptics.Tact:
+ *   Position, DotPoints of Index and Intensity, DurationMillis; the commented example contains the
+ *   names used here) and bhaptics/haptic-library ab77d37, samples/csharp/src/Bhaptics.Tact:
  *   PlayerRequest.cs (a status: ConnectedDeviceCount, RegisteredKeys, ActiveKeys,
- *   ConnectedPositions, Status), WebSocketSender.cs ("turnOff" with a key, "turnOffAll",
- *   app_id and app_name in the query), HapticFeedback.cs (places, intensities of 0 to 100). A frame
- *   lasts for its DurationMillis; a later one with its key replaces it.
+ *   ConnectedPositions, Status), WebSocketSender.cs ("turnOff" with a key, "turnOffAll", app_id and
+ *   app_name in the query), HapticFeedback.cs (places, intensities of 0 to 100). A frame lasts for
+ *   its DurationMillis; a later frame with the same key replaces it.
  * - The middleware: WEARTHaptics/WEART-SDK-Cpp 6a2c395: WeArtClient.cpp (messages end with '~'),
  *   WeArtMessages.cpp (fields between ':'; "texture" has an index, three velocities, a volume, a
  *   hand and a point; JSON has "type", "ts" and "data"), WeArtCommon.h (names; ranges of index,
  *   velocity and volume), WeArtTexture.h (velocity at most 0.5), docs/home.md (effects count only
- *   after Start). A texture lasts until it is stopped. What happens when the client leaves is not
- *   published: here it lasts for ever, the worst case.
+ *   after Start). A texture lasts until it is stopped. The behaviour when the client leaves is not
+ *   published: here the texture then lasts forever, which is the worst case.
  * - The Hapbeat: hapbeat/hapbeat-contracts 9079da6, specs/message-format.md (header, PING, PONG
  *   with the device's name, STREAM_BEGIN, _DATA, _END; a ring of samples that drains by itself;
- *   samples count only after a beginning; a packet with the number of the last one is a duplicate)
- *   and hapbeat/hapbeat-arduino e11a737, docs/wire-format.md (a ring of 256 ms).
+ *   samples are used only after STREAM_BEGIN; a packet with the same number as the last one is a
+ *   duplicate) and hapbeat/hapbeat-arduino e11a737, docs/wire-format.md (a ring of 256 ms).
  */
 #ifndef VibrationServices_h
 #define VibrationServices_h
@@ -34,15 +34,14 @@
 namespace emulated
 {
 
-/** Records what a service did with the messages that it received. */
+/** Records the messages that a service received, and their effects. */
 struct Vibrations
 {
   std::vector<std::string> Messages; ///< all messages, as they arrived
   std::vector<int> Levels;           ///< levels that messages set; 0 for a stop
-  int Refused = 0;                   ///< messages that are not understood
+  int Refused = 0; ///< number of messages that were not understood
   bool IsOpen = false;               ///< whether a client is connected
-  bool EndsStopped = false;          ///< whether the last message before the end of the connection
-                                     ///< was a stop
+  bool EndsStopped = false; ///< whether the last message before the connection ended was a stop
 };
 
 class PlayedBhaptics
@@ -53,11 +52,11 @@ public:
   ~PlayedBhaptics();
 
   Vibrations Get();
-  /** Returns the present intensity of a dot, from 0 to 100. */
+  /** Returns the current intensity of a dot, from 0 to 100. */
   int GetDot(const std::string& place, int index);
   void SetPlaces(const std::vector<std::string>& places);
   void SendJunk();
-  /** Sends messages other than statuses as fast as they are read, and answers nothing. */
+  /** Sends messages other than statuses as fast as the client reads them, and answers nothing. */
   void Flood();
   void Die();
 
@@ -74,12 +73,12 @@ public:
   ~PlayedWeart();
 
   Vibrations Get();
-  /** Returns the present volume of the texture at the index finger, from 0 to 100. */
+  /** Returns the current volume of the texture at the index finger, from 0 to 100. */
   double GetVolume(const std::string& hand);
   std::string GetStatus();
   void SetActuating(bool isActuating);
   void SetHands(const std::vector<std::string>& hands);
-  /** Ends the connection. The service continues to run. */
+  /** Ends the connection, while the service continues to run. */
   void HangUp();
   void Die();
 
@@ -96,11 +95,11 @@ public:
 
   std::uint16_t GetPort() const;
   Vibrations Get();
-  /** Returns the largest sample played in the last 16 ms, as a fraction of the largest number. */
+  /** Returns the largest sample played in the last 16 ms, as a fraction of full scale. */
   double GetLoudness();
-  /** Returns the number of samples for which the ring had no room. */
+  /** Returns the number of samples that were lost because the ring was full. */
   int CountLost();
-  void SetSilent(bool isSilent); ///< answers no ping
+  void SetSilent(bool isSilent); ///< stops answering pings
 
 private:
   struct Server;

@@ -91,7 +91,7 @@ void VirtualUsb::Plug()
   const Descriptor kernels(ends[1]);
   this->Thread = std::thread([this] { this->Serve(); });
   std::ostringstream order;
-  // The number identifies the device. The kernel returns it in each message.
+  // The number identifies the device; the kernel returns it in each message.
   order << this->Port << ' ' << kernels.Number << ' ' << 0x10001 + this->Port << ' ' << FullSpeed;
   if (!WriteText("attach", order.str()))
   {
@@ -127,7 +127,8 @@ void VirtualUsb::Serve()
   {
     if (poll(sources, 2, -1) < 0)
     {
-      // A signal has interrupted poll(), for example because the process has changed its user.
+      // A signal has interrupted poll(), for example because the process has changed its user, so
+      // try again.
       goesOn = errno == EINTR;
       continue;
     }

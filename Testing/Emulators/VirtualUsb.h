@@ -3,7 +3,8 @@
 
 /**
  * A port of the kernel's virtual USB hub (vhci_hcd) with a model plugged in. Everything above the
- * port is a real kernel. It needs root and the module vhci_hcd, and is meant for a virtual machine.
+ * port is a real kernel. This needs root and the module vhci_hcd, and is meant for a virtual
+ * machine.
  */
 #ifndef VirtualUsb_h
 #define VirtualUsb_h
@@ -18,9 +19,7 @@ namespace emulated
 class VirtualUsb
 {
 public:
-  /**
-   * Begins with an empty port. The model has to outlive the port, which sets the model's Ready.
-   */
+  /** Starts with an empty port. The model must outlive the port, which sets the model's Ready. */
   VirtualUsb(UsbModel& model, int port);
   /** Unplugs the device. */
   ~VirtualUsb();
@@ -29,10 +28,10 @@ public:
 
   /**
    * Plugs the device in. The kernel then requests its descriptors. Throws std::runtime_error if the
-   * kernel accepts no devices.
+   * kernel does not accept the device.
    */
   void Plug();
-  /** Unplugs the device at any moment. Returns when the port is free again. */
+  /** Unplugs the device; may be called at any time. Returns when the port is free again. */
   void Unplug();
 
   bool IsPlugged() const { return this->Thread.joinable(); }

@@ -33,8 +33,8 @@ Triple TipOf(const Triple& t)
 }
 
 /**
- * Returns the derivatives of the tip's position by each angle as columns, computed from
- * differences.
+ * Returns the derivatives of the tip's position with respect to the angles as columns, computed
+ * from differences.
  */
 std::array<Triple, 3> Slopes(const Triple& angles)
 {
@@ -65,7 +65,7 @@ Triple RowOf(const std::array<Triple, 3>& m, int row)
   return { m[0][row], m[1][row], m[2][row] };
 }
 
-/** Computes the angles for a tip position by Newton's method, starting from angles nearby. */
+/** Computes the angles for a tip position by Newton's method, starting from nearby angles. */
 void Follow(const Triple& tip, Triple& angles)
 {
   for (int i = 0; i < 8; ++i)
@@ -93,7 +93,7 @@ void WoodenModel::PowerUp()
   const std::lock_guard<std::mutex> lock(this->Guard);
   this->Angles = RestAngles;
   this->Hand.Place(TipOf(RestAngles));
-  // Encoders that are switched on in the rest pose have these counts.
+  // The encoders have these counts if they are switched on in the rest pose.
   this->Offset = { 0, 0, 6000 };
   this->Currents = {};
   this->Button = false;
@@ -102,8 +102,7 @@ void WoodenModel::PowerUp()
 
 std::vector<std::uint8_t> WoodenModel::GetReportDescriptor() const
 {
-  // A vendor's page with fields of bytes in both directions and without ids. It is the same for
-  // both boards.
+  // A vendor page with byte fields in both directions and without ids, equal for both boards.
   HidItems items;
   const auto bytes = static_cast<unsigned>(this->GetPacketSize());
   items.Page(0xFFAB).Usage(0x0200).Open(HidItems::ApplicationCollection).Logical(0, 255);
@@ -177,8 +176,8 @@ void WoodenModel::SendCounts()
 
 Triple WoodenModel::ComputeForce() const
 {
-  // The torque of each joint is the force along the joint's slope. This gives three equations for
-  // the force.
+  // The torque of each joint is the force projected on the derivative for that joint, which gives
+  // three equations for the force.
   Triple torques;
   for (int j = 0; j < 3; ++j)
   {

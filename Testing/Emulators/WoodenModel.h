@@ -7,12 +7,13 @@
  * The packets of 14 bytes, the watchdog and the calibration button are those of the mbed firmware
  * (Forsslund Systems, 2019-09-10, "Polhem USB HID interface based on the woodenhapitcs hid";
  * forsslund/haptikfabrikenapi, firmware/main.cpp, commit a72d87e):
- * - All counts are 0 when power comes.
+ * - After power-on, all counts are 0.
  * - `info` is the flag of the calibration button: 0 until the button is pressed. Command 1 clears
  * it.
  * - Command 1 sets the first three counts to the attributes, and the other counts to the currents,
  *   while no current flows.
- * - The firmware reads the last one of the waiting packets, and answers each packet with a packet.
+ * - The firmware processes only the last of several waiting packets, and answers each processed
+ *   packet with a packet.
  * - After 0.5 s without a packet, the motors are off.
  *
  * Name, numbers and report descriptor are mbed's defaults (WoodenHaptics/woody-experimental, commit
@@ -40,7 +41,7 @@ enum class WoodenFault
   Silence,
   WriteError,
   Jump,    ///< an encoder jumps by 2000 counts
-  LostZero ///< the controller restarts without notice, and its encoders begin at 0
+  LostZero ///< the controller restarts unnoticed, and its encoders begin at 0
 };
 
 /**
@@ -68,22 +69,22 @@ public:
   int Output(const std::uint8_t* report, int size) override;
   int GetFeature(std::uint8_t*, int) override { return -EPIPE; }
 
-  /** Switches the power on. The arm is in its rest pose, which the encoders do not know. */
+  /** Switches the power on. The arm is in its rest pose, which the encoders can't detect. */
   void PowerUp();
   void SetGoal(const Triple& goal);
   Triple GetTip() const;
-  /** Returns the force (N) of the present currents on the hand. */
+  /** Returns the force (N) of the currents on the hand. */
   Triple GetForce() const;
   std::vector<std::uint8_t> GetLastPacket() const;
   std::vector<std::uint8_t> GetLastPreset() const;
-  /** Lets a time (s) pass without a packet. After 0.5 s the firmware switches the currents off. */
+  /** Simulates a time (s) without a packet. After 0.5 s, the firmware switches the currents off. */
   void PassTime(double time);
   int GetPresets() const { return this->Presets; }
   int GetPackets() const { return this->Packets; }
   std::atomic<WoodenFault> Fault{ WoodenFault::None };
   std::atomic<bool> IgnoresPresets{ false };
-  std::atomic<int> MissedPresets{ 0 }; ///< number of presets to miss, as if another packet had
-                                       ///< followed at once
+  /// number of presets that are ignored, as if another packet had followed at once
+  std::atomic<int> MissedPresets{ 0 };
   std::atomic<bool> Button{ false };   ///< whether the button was pressed after the last preset
 
 private:

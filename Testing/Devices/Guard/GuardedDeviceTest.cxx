@@ -270,7 +270,7 @@ TEST_F(Guarded, IsTheParentsAfterAFork)
 
 TEST_F(Guarded, OfAnotherVersionIsRefused)
 {
-  // Start the guard like an older library would, without open files for these descriptors.
+  // Start the guard like an older library would; the descriptors in its arguments are not open.
   const int status = std::system(VOLUME_HAPTICS_PLAYED_GUARD " 0.0 3 4 1 0 echo");
   EXPECT_EQ(WEXITSTATUS(status), 1);
   EXPECT_EQ(WEXITSTATUS(std::system(VOLUME_HAPTICS_PLAYED_GUARD " 2> /dev/null")), 2);

@@ -16,7 +16,7 @@ using namespace vendortest;
 namespace
 {
 constexpr double Height = -0.01; // m, height of the floor
-// Maps the device's right, up and towards the user to the library's y, z and x.
+// Maps the device's axes (right, up, towards the user) to the library's y, z and x.
 const Matrix3 ToTheLibrary = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class ForceDimension : public testing::Test
@@ -46,7 +46,7 @@ protected:
     const double force = FloorStiffness * BalancedDepth(0.01);
     return IsNear(this->Force(), { 0.0, 0.0, force }, 0.05);
   }
-  /// Arms the device, and leads the hand 10 mm deep into the middle of the floor.
+  /// Arms the device, and moves the hand's goal 10 mm deep into the middle of the floor.
   void Feel()
   {
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -99,7 +99,7 @@ TEST_F(ForceDimension, PressesAFloorAndLetsGo)
   EXPECT_EQ(this->Bench.Device->GetLimits().MaximumForce, 12.0) << "an omega";
   EXPECT_EQ(this->Bench.Device->GetIdentity(), "vendor:forcedimension:4711");
   ASSERT_NO_FATAL_FAILURE(this->Feel());
-  // Slide to the right, which is the library's y. Friction holds the hand back.
+  // Slide to the right, which is the library's y. Friction resists the hand.
   this->Lead({ 0.0, 0.03, Height - 0.01 });
   EXPECT_TRUE(Eventually([&] { return this->Force()[1] < -0.5 * Friction; }));
   this->Bench.Stop();
@@ -113,8 +113,8 @@ TEST_F(ForceDimension, PressesAFloorAndLetsGo)
 
 TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
 {
-  // Turn the pen by 90 degrees about the library's z (up), so that it no longer points towards the
-  // user but to the right.
+  // Rotate the pen by 90 degrees about the library's z (up), so that it points to the right instead
+  // of towards the user.
   this->With(
     [](FakeForceDimension& fake)
     {
@@ -131,8 +131,8 @@ TEST_F(ForceDimension, OrientationAndButtonsAreInOurAxes)
       return sample.HasOrientation;
     }));
   EXPECT_EQ(sample.Buttons, 3u);
-  // Expect a turn about the device's y (up), which turns the handle from z (towards the user) to x
-  // (right).
+  // Expect a rotation about the device's y (up), which turns the handle from z (towards the user)
+  // to x (right).
   const Vector3 handle = ToMatrix(sample.Orientation) * Vector3{ 0.0, 0.0, 1.0 };
   EXPECT_NEAR(handle.X, 1.0, 1e-9);
   EXPECT_NEAR(handle.Y, 0.0, 1e-9);
@@ -199,7 +199,7 @@ TEST_F(ForceDimension, IsNotReadyWhileItsForceIsOff)
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = false; });
   ASSERT_TRUE(this->Bench.Open("vendor:forcedimension")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitForText("it moves by itself")) << this->Bench.Text();
-  // The hand has led the device to its zero, but its force is still switched off.
+  // The user has moved the device to its zero, but its force is still switched off.
   this->With([](FakeForceDimension& fake) { fake.IsInitialised = true; });
   ASSERT_TRUE(this->Bench.WaitForText("has its force switched off")) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
@@ -285,7 +285,7 @@ TEST_F(ForceDimension, ADeviceThatIsBackWaitsForTheUser)
   this->Bench.Device->Home();
   EXPECT_TRUE(this->Bench.WaitForText("was unplugged"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Lost);
-  // Without power, the device has lost its zero, and the hand has moved it.
+  // Without power, the device has lost its zero while the hand moved it.
   this->With(
     [](FakeForceDimension& fake)
     {
@@ -322,7 +322,7 @@ TEST_F(ForceDimension, AReadThatFailsCutsTheForce)
 
 TEST_F(ForceDimension, AWriteThatFailsIsAFault)
 {
-  // The library also rejects a force of zero, so only its watchdog can end the force.
+  // The library rejects even a force of zero, so only its watchdog can end the force.
   this->Break([](FakeForceDimension& fake) { fake.FailsToWrite = true; }, "does not take a force");
 }
 

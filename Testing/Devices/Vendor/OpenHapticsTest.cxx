@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests the plug-in for OpenHaptics in closed loop: a hand presses a floor. The library is a
+ * Tests the plug-in for OpenHaptics in closed loop: a hand presses on a floor. The library is a
  * stand-in that follows the toolkit's public documentation
  * (Emulators/OpenHaptics/FakeOpenHaptics.h): axes point right, up, and towards the user; lengths
  * are in millimetres.
@@ -19,7 +19,7 @@ using namespace vendortest;
 namespace
 {
 constexpr double Height = -0.01; // m, height of the floor
-// Maps the device's up (y) to the floor's normal.
+// Maps the device's up axis (y) to the floor's normal.
 const Matrix3 ToTheFloor = Matrix3::FromColumns({ 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 0 });
 
 class OpenHaptics : public testing::Test
@@ -110,7 +110,7 @@ TEST_F(OpenHaptics, PressesAFloorAndLetsGo)
 
 TEST_F(OpenHaptics, OrientationComesFromTheTransformsColumns)
 {
-  // Turn the stylus by 90 degrees about y (up), which turns its handle from z to x.
+  // Rotate the stylus by 90 degrees about y (up), which turns its handle from z to x.
   this->With(
     [](FakeOpenHaptics& fake)
     {
@@ -148,7 +148,7 @@ TEST_F(OpenHaptics, IsCalibratedByItselfOrByTheInkwell)
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   EXPECT_EQ(this->Force(), Triple{});
-  // When the stylus is in the inkwell, the library asks for an update of the calibration.
+  // When the stylus is in the inkwell, the library requests an update of the calibration.
   this->With([](FakeOpenHaptics& fake) { fake.Calibration = HD_CALIBRATION_NEEDS_UPDATE; });
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   EXPECT_EQ(this->With([](const FakeOpenHaptics& fake) { return fake.ForcesBeforeZero; }), 0);
@@ -192,7 +192,7 @@ TEST_F(OpenHaptics, MoreThanTheContinuousForceFadesToIt)
   };
   EXPECT_TRUE(Eventually([&] { return push(3.2) == 3.2; })) << "at first";
   EXPECT_TRUE(Eventually([&] { return std::abs(push(3.2) - 0.88) < 1e-9; })) << this->Force()[1];
-  // A weaker force has no time limit, and lets the motors cool.
+  // A weaker force has no time limit, and allows the motors to cool.
   EXPECT_TRUE(Eventually([&] { return push(0.5) == 0.5; }));
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(4);
   while (std::chrono::steady_clock::now() < end)
@@ -274,7 +274,7 @@ TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
 
 TEST_F(OpenHaptics, AForceThatIsNotRenewedEndsInTheCallback)
 {
-  // Use the plug-in without the driver, because the driver would write zero by itself.
+  // Use the plug-in without the driver, because the driver would write zero itself.
   std::string error;
   void* const library = VolumeHaptics::Libraries::Load(this->File.string(), error);
   ASSERT_NE(library, nullptr) << error;
@@ -353,7 +353,7 @@ TEST_F(OpenHaptics, TwoArmsHaveEachItsOwnPoseAndForce)
   EXPECT_NEAR(second.Tip.X, -0.01, 1e-9);
   EXPECT_NEAR(second.Tip.Z, 0.02, 1e-9);
 
-  // A fault of one device leaves the other device ready.
+  // The fault of one device must leave the other device ready.
   this->With([](FakeOpenHaptics& fake) { fake.Right.Faults.push_back(HD_WARM_MOTORS); });
   EXPECT_TRUE(right.WaitForText("Motors too warm"));
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Ready);
@@ -387,7 +387,8 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
   };
   const auto feelAgain = [&]
   {
-    // Lead the hand out first. A loop that begins below the floor would feel the floor from below.
+    // Move the hand out first. If the loop began below the floor, the hand would feel the floor
+    // from below.
     this->Bench.Stop();
     this->Lead({ 0.0, Height + 0.005, 0.0 });
     EXPECT_TRUE(Eventually(
@@ -400,7 +401,8 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
     EXPECT_TRUE(Eventually([&] { return this->Bench.Text().find("lost") == std::string::npos; }))
       << this->Bench.Text();
   };
-  // The force fades. On a busy machine that stands still meanwhile, it ends at once.
+  // The force must fade smoothly. On a busy machine that pauses meanwhile, it ends at once, so try
+  // again.
   bool isSmooth = false;
   for (int attempt = 0; attempt < 5 && !isSmooth; ++attempt)
   {
@@ -419,7 +421,7 @@ TEST_F(OpenHaptics, AnArmThatIsOpenedOrClosedDisarmsTheOther)
     feelAgain();
   }
   EXPECT_TRUE(isSmooth);
-  // A failed attempt to open the second device also disarms the first device.
+  // A failed attempt to open the second device also disarms the first one.
   this->With([](FakeOpenHaptics& fake) { fake.IsPluggedIn = false; });
   EXPECT_TRUE(Has(ErrorOf("vendor:openhaptics:1"), "Communication error"));
   expectDisarmed();

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a device behind a plug-in, from opening to closing. Each of its faults must end in zero
- * force and a text. The test controls the plug-in, and expects what VendorPlugin.h promises.
+ * Tests a device behind a plug-in, from opening to closing, against the guarantees in
+ * VendorPlugin.h. The test controls the plug-in. Each fault of the device must end in zero force
+ * and a text.
  */
 
 #include "PlayedVendor.h"
@@ -51,8 +52,8 @@ protected:
     ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
   }
   /**
-   * Reads and writes as the servo does, until the device has exactly this force. If a busy machine
-   * renews the force late, it fades for a while.
+   * Reads and writes like the servo, until the device has exactly this force. If a busy machine
+   * renews the force late, it fades temporarily.
    */
   bool Push(const DeviceCommand& command)
   {
@@ -72,7 +73,8 @@ protected:
           });
       });
   }
-  /// Causes a fault while force acts. Expects the text, and a force of zero that stays zero.
+  /// Causes a fault while a force acts. Expects the text, and a force that becomes zero and stays
+  /// zero.
   template <typename F>
   void Break(F&& change, const char* text)
   {
@@ -155,7 +157,7 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
   const auto now = std::chrono::duration_cast<std::chrono::nanoseconds>(
     std::chrono::steady_clock::now().time_since_epoch());
   EXPECT_GE(now.count() - sample.Time, 2'000'000) << "it was measured two milliseconds before";
-  // A read without news is a sign of life. It returns the sample of the last read.
+  // A read without news shows that the device is alive. It returns the sample of the last read.
   this->Play([](PlayedVendor& played) { played.ReadResult = VOLUME_HAPTICS_VENDOR_DONE; });
   EXPECT_TRUE(Eventually(
     [&]
@@ -165,9 +167,9 @@ TEST_F(VendorDevice, TellsPoseButtonsAndOrientation)
     }));
 }
 
-/// Presses a ball of 3 mm radius 2 mm deep into solid material above z = 10 mm. The ball is held 1
-/// mm beside its middle. Expects a force downwards, and the torque of the lever of 1 mm, which
-/// turns with the stylus.
+/// Presses a ball with a radius of 3 mm 2 mm deep into solid material above z = 10 mm. The ball is
+/// held 1 mm beside its centre. Expects a downward force, and the torque of the 1 mm lever, which
+/// rotates with the stylus.
 TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
 {
   const TestVolume volume = MakeRamp();
@@ -206,7 +208,8 @@ TEST_F(VendorDevice, AToolWithAShapeIsFeltInSixDegrees)
     {
       place(0.006 + 5e-5 * i, turns[turn]);
     }
-    // In balance, k (2 mm - depth) = pi kappa a depth^2. The torque is the force times the lever.
+    // In equilibrium, k (2 mm - depth) = pi kappa a depth^2. The torque is the force times the
+    // lever.
     const double b = 500.0 / (coretest::Pi * coretest::Kappa * 3e-3);
     const double force = 500.0 * (2e-3 - 0.5 * (std::sqrt(b * b + 4.0 * b * 2e-3) - b));
     const auto isFelt = [&]
@@ -245,7 +248,7 @@ TEST_F(VendorDevice, ForceAndTorqueArriveWithinTheLimits)
       });
   };
   EXPECT_TRUE(Eventually(isCut));
-  // The force becomes zero when the servo no longer renews it, and when it is quenched.
+  // The force becomes zero both when the servo stops renewing it and when it is quenched.
   const auto isZero = [&]
   {
     return this->Ask(
@@ -270,7 +273,7 @@ TEST_F(VendorDevice, BeginsAndEndsWithZero)
   EXPECT_EQ(calls[0], "open");
   EXPECT_EQ(calls[1], "zero");
   EXPECT_EQ(calls[2], "force");
-  // If a busy machine let the force fade and return, further calls are in between.
+  // On a busy machine, the force may have faded and returned, which adds earlier calls.
   EXPECT_EQ(calls[calls.size() - 2], "zero");
   EXPECT_EQ(calls.back(), "close");
 }
@@ -358,7 +361,7 @@ TEST_F(VendorDevice, AnotherOneInItsPlaceIsOpenedOnceAndLeft)
   EXPECT_EQ(countOpens(), 2);
   EXPECT_EQ(this->Bench.Device->GetName(), "Played stylus 0 (vendor:played:0)");
   EXPECT_EQ(this->Force(), (std::array<double, 3>{}));
-  // Plug the device in again, beside the other device.
+  // Plug the device in again, together with another device.
   this->Play(
     [&](PlayedVendor& played)
     {

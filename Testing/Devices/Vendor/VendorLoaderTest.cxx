@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests which plug-ins are loaded, and the error texts for the others, by the rules in
+ * Tests which plug-ins are loaded, and the error texts for the others, according to the rules in
  * Documentation/devices.md. File modes are POSIX modes.
  */
 
@@ -21,7 +21,7 @@ namespace
 class VendorLoader : public testing::Test
 {
 protected:
-  /// Opens the played plug-in. Returns the error.
+  /// Opens the simulated plug-in. Returns the error.
   static std::string Refused(const std::string& id = "vendor:played") { return ErrorOf(id); }
   const PluginFolder Folder;
 };
@@ -73,7 +73,7 @@ TEST_F(VendorLoader, LoadsNothingThatOthersMayWrite)
     }
     ASSERT_EQ(chmod(open.c_str(), 0700), 0);
   }
-  // Users who may write a folder above can replace this folder.
+  // Users with write permission for a folder above can replace this folder.
   const fs::path inner = this->Folder.Path / "open" / "inner";
   fs::create_directories(inner);
   fs::rename(file, inner / file.filename());
@@ -107,7 +107,7 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
   fs::rename(file, safe / "real.so");
   ASSERT_EQ(chmod(safe.c_str(), 0700), 0);
   ASSERT_EQ(chmod((safe / "real.so").c_str(), 0700), 0);
-  // Other users could put a link into this folder, in which the loader searches.
+  // Other users could create a link in this folder, which the loader searches.
   fs::create_symlink(safe / "real.so", open / file.filename());
   setenv("VOLUMEHAPTICS_VENDOR_PATH", open.c_str(), 1);
   for (const mode_t mode : { 0777, 01777, 0770 })
@@ -116,11 +116,11 @@ TEST_F(VendorLoader, ALinkIsAsSafeAsTheFoldersOnItsWay)
     EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
     EXPECT_TRUE(ListVendors().empty());
   }
-  // The second of two links is in a folder where other users could replace it.
+  // The second of two links is in a folder where other users can replace it.
   fs::create_symlink(open / file.filename(), file);
   setenv("VOLUMEHAPTICS_VENDOR_PATH", this->Folder.Path.c_str(), 1);
   EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
-  // The loader also checks a link to the folder.
+  // The loader must also check the target of a link to the folder.
   fs::create_directory_symlink(open, this->Folder.Path / "plugins");
   setenv("VOLUMEHAPTICS_VENDOR_PATH", (this->Folder.Path / "plugins").c_str(), 1);
   EXPECT_TRUE(Has(Refused(), ("chmod go-w '" + open.string()).c_str())) << Refused();
@@ -184,7 +184,7 @@ TEST_F(VendorLoader, AFileThatIsNoPluginIsRefusedWithItsReason)
   // A library without the plug-in's function is refused.
   this->Folder.Add("empty");
   EXPECT_TRUE(Has(Refused("vendor:empty"), "does not export VolumeHapticsVendorGetPlugin"));
-  // The vendor's library is not installed. The error contains the text of the dynamic loader.
+  // The vendor's library is not installed. The error contains the dynamic loader's message.
   this->Folder.Add("orphan");
   EXPECT_TRUE(Has(Refused("vendor:orphan"), "libvolumehaptics-no-such-sdk.so"))
     << Refused("vendor:orphan");

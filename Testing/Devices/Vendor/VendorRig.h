@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Finds the plug-ins' rows in the list of devices.
- */
+/** Finds the plug-ins' entries in the list of devices. */
 #ifndef VendorRig_h
 #define VendorRig_h
 

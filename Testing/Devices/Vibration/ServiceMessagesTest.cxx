@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Compares messages to bHaptics, WEART and Hapbeat with those that their makers publish
- * (ServiceMessages.h names the sources).
+ * Compares messages to bHaptics, WEART and Hapbeat with published ones (ServiceMessages.h names the
+ * sources).
  */
 
 #include "Devices/Vibration/ServiceMessages.h"
@@ -14,9 +14,9 @@ using namespace VolumeHaptics;
 
 TEST(ServiceMessages, APacketOfHapbeatHasItsPublishedBytes)
 {
-  // Bytes by docs/wire-format.md, little-endian: 42 48, version 1, the command, the number of the
-  // packet, and the length of the rest. The first packet of a stream has 16000 Hz, one channel,
-  // PCM, 0 samples, and the gain 1.0.
+  // Bytes according to docs/wire-format.md, little-endian: 42 48, version 1, the command, the
+  // packet's number, and the length of the rest. The first packet of a stream contains 16000 Hz,
+  // one channel, PCM, 0 samples, and the gain 1.0.
   const HapbeatPacket begin{ 0x42, 0x48, 0x01, 0x30, 0x02, 0x01, 0x0C, 0x00, 0x80, 0x3E, 0x01, 0x00,
     0x00, 0x00, 0x00, 0x00, 0x00, 0x00, 0x80, 0x3F };
   EXPECT_EQ(WriteHapbeatBegin(0x0102), begin);
@@ -53,8 +53,8 @@ TEST(ServiceMessages, ADeviceOfHapbeatTellsItsName)
 
 TEST(ServiceMessages, WeartsLinesHaveTheirPublishedFields)
 {
-  // Fields by WeArtMessages.cpp: index, three velocities, volume, hand, point. std::to_string()
-  // writes the numbers.
+  // Fields according to WeArtMessages.cpp: index, three velocities, volume, hand, point. Numbers
+  // are formatted by std::to_string().
   EXPECT_EQ(
     WriteWeartTexture("LEFT", 40), "texture:9:0.500000:0.000000:0.500000:40.000000:LEFT:INDEX");
   EXPECT_EQ(WriteWeartStop("RIGHT"), "stopTexture:RIGHT:INDEX");
@@ -107,7 +107,7 @@ TEST(ServiceMessages, AnswersThatAreNestedDeeplyAreRead)
 
 TEST(ServiceMessages, AFrameOfBhapticsHasItsPublishedMembers)
 {
-  // A frame like those that haptic_player.py writes.
+  // A frame in the format of haptic_player.py.
   EXPECT_EQ(WriteBhapticsFrame("HandR", 60, 150),
     R"({"Submit":[{"Type":"frame","Key":"volumehaptics","Frame":{"Position":"HandR",)"
     R"("PathPoints":[],"DotPoints":[{"Index":0,"Intensity":60},{"Index":1,"Intensity":60},)"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Leads a tip into a floor in sessions with simulated vibrating services, over real sockets of this
+ * Moves a tip into a floor in sessions with simulated vibrating services, over real sockets of this
  * computer.
  */
 
@@ -40,7 +40,7 @@ protected:
     this->Bench->Arm();
     ASSERT_TRUE(Eventually([&] { return this->Bench.State().IsArmed(); }));
   }
-  /// Leads the tip to a height (m) above the floor.
+  /// Moves the tip to a height (m) above the floor.
   void Lead(double height)
   {
     auto* const led = dynamic_cast<VirtualDevice*>(this->Bench.Device.get());

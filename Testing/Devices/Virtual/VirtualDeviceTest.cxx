@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Expects that the device without hardware follows its settings, tick by tick.
- */
+/** Tests that the device without hardware obeys its settings, tick by tick. */
 
 #include "Devices/Virtual/VirtualDevice.h"
 
@@ -62,7 +60,7 @@ TEST_F(Virtual, PlacingTakesTheStylusUpAnewAndSaysSoOnce)
   this->Device.Lead({ 0.1, 0.2, 0.4 });
   EXPECT_FALSE(this->Read().Begins);
   this->Device.Place({ 0.0, 0.0, 0.1 });
-  // The tip is led farther before the next read.
+  // Move the target farther before the next read.
   this->Device.Lead({ 0.0, 0.0, 0.1001 });
   const DeviceSample sample = this->Read();
   EXPECT_TRUE(sample.Begins);

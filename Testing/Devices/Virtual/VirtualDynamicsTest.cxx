@@ -1,9 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/**
- * Expects that a simulated device in a simulated hand moves as the closed form says.
- */
+/** Tests that a simulated device in a simulated hand moves according to the closed form. */
 
 #include "Devices/Virtual/VirtualDevice.h"
 

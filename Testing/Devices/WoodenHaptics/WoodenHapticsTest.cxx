@@ -70,7 +70,7 @@ TEST(WoodenHaptics, PosesThatCanBeWorkedOutByHand)
 {
   ExpectNear(TipAt(0, 0, 6000), { 0.025, 0.0, 0.205 });      // rest pose: upper arm upright,
                                                              // forearm level
-  ExpectNear(TipAt(8000, 0, 6000), { -0.22, 0.245, 0.205 }); // a quarter turn about z
+  ExpectNear(TipAt(8000, 0, 6000), { -0.22, 0.245, 0.205 }); // 90 degrees about z
   ExpectNear(TipAt(0, 6000, 6000), { 0.23, 0.0, 0.0 });      // both arms level
   ExpectNear(TipAt(0, 0, 0), { -0.22, 0.0, -0.04 });         // hanging along the upright arm
 }
@@ -105,8 +105,8 @@ TEST(WoodenHaptics, CurrentsHoldTheForceAndKeepItsDirection)
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 1.0, 0.0 }), (Currents{ 591, 0, 0 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 1.0, 0.0, 0.0 }), (Currents{ 0, 660, 0 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 0.0, -1.0 }), (Currents{ 0, 0, -788 }));
-  // Motor C would get 6306 mA and is limited to 3000 mA. Motor A gets 3/8 of that, which keeps the
-  // direction of the force.
+  // Motor C would get 6306 mA and is limited to 3000 mA. Motor A gets 3/8 of that, which preserves
+  // the direction of the force.
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, 4.0, 8.0 }), (Currents{ 1125, 0, 3000 }));
   EXPECT_EQ(device.ComputeCurrents(Rest, { 0.0, -4e200, -8e200 }), (Currents{ -1125, 0, -3000 }));
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(), HUGE_VAL, -HUGE_VAL })
@@ -116,7 +116,7 @@ TEST(WoodenHaptics, CurrentsHoldTheForceAndKeepItsDirection)
   }
   WoodenHapticsGeometry geometry;
   geometry.Signs = { -1.0, 1.0, -1.0 };
-  geometry.MaximumCurrent = 1000.0; // more than a packet can express
+  geometry.MaximumCurrent = 1000.0; // A, more than a packet can represent
   const WoodenHaptics turned(geometry);
   EXPECT_EQ(turned.ComputeAngles({ 8000, 0, 6000, 0, 0, 0 })[0], -Right);
   EXPECT_EQ(turned.ComputeCurrents(Rest, { 0.0, 400.0, 800.0 }), (Currents{ -12288, 0, -32767 }));

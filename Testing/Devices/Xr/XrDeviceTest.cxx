@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Tests a headset's controller as the servo sees it: the amplitude requested in a frame, by the
- * closed form of the filters in Vibration.h, and the controller's row in the list of devices.
+ * Tests a headset's controller from the servo's view: the amplitude in a frame, against the closed
+ * form of the filters in Vibration.h, and the controller's entry in the list of devices.
  */
 
 #include "Devices/Xr/XrDevice.h"
@@ -26,7 +26,7 @@ namespace
 {
 constexpr double TickOfXr = 1e-3; // s
 
-/** Writes a force for some ticks. Returns the amplitude that is then requested. */
+/** Writes a force for some ticks. Returns the resulting amplitude. */
 double AmplitudeAfter(XrDevice& device, int ticks, const Vector3& force)
 {
   DeviceSample sample;
@@ -144,7 +144,7 @@ TEST(XrDevice, TheListSaysWhatIsMissing)
 
 TEST(XrDevice, FindsTheRuntimeAsTheLoaderOfOpenXRDoes)
 {
-  // Expect the order of the section "Linux Active Runtime Location" in the loader's specification.
+  // Expect the order in the section "Linux Active Runtime Location" of the loader's specification.
   const std::string folder = TemporaryPath("xr");
   const std::string own = folder + "/own/openxr/1/active_runtime.json";
   const std::string other = folder + "/second/openxr/1/active_runtime.json";

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 const char* lastError = "no error";
 Clock::time_point lastRead;
 
-/** Locks the fake library, if this device is open. */
+/** Accesses the fake library with its mutex locked, if this device is open. */
 struct Opened
 {
   explicit Opened(char id)

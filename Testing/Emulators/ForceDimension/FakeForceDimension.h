@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library in place of Force Dimension's, with a device in a hand. It follows the SDK's public
+ * A stand-in for Force Dimension's library, with a device in a hand. It follows the SDK's public
  * documentation (Haptic and Robotic SDK 3.14): IDs of devices that are not open are errors; results
  * above zero are not errors; x points towards the user, y to the right, and z up; units are metres
  * and newtons; forces have no effect while they are switched off.
  *
- * The search for the zero is the robotic library's regulation, which continues until drdStop().
- * Programs for the SDK assume this: sawForceDimensionSDK (jhu-saw),
+ * The search for the zero position is a regulation of the robotic library, which continues until
+ * drdStop(). Programs for the SDK assume this: sawForceDimensionSDK (jhu-saw),
  * mtsForceDimensionDevice::Startup(), and CHAI3D, CDeltaDevices.cpp, call drdStop(true) after
  * drdAutoInit(). Until then, this library accepts no force. drdStop(false) also switches the force
  * off.
@@ -47,8 +47,8 @@ struct FakeForceDimensionState
   bool IsPluggedIn = true;
   bool HasPower = true;
   bool ForceIsOn = false;
-  bool IsRegulating = false; ///< whether the device regulates by itself from the search for its
-                             ///< zero on
+  /// whether the device regulates itself; from the search for its zero until drdStop()
+  bool IsRegulating = false;
   bool FailsToInit = false;
   bool FailsToOpen = false;
   bool FailsToRead = false;
@@ -60,16 +60,16 @@ struct FakeForceDimensionState
   EmulatedHand Hand;
   Triple Force{};                 ///< N, force set last
   Triple Torque{};                ///< N m, torque set last
-  int ForcesBeforeZero = 0;       ///< number of forces other than zero before the zero was known
-  std::vector<std::string> Calls; ///< names of the calls, without reads and repeated writes of a
-                                  ///< force
+  int ForcesBeforeZero = 0; ///< number of nonzero forces before the zero was known
+  /// names of the calls, without reads and repeated writes of the same force
+  std::vector<std::string> Calls;
 };
 
 struct FakeForceDimension : FakeForceDimensionState
 {
   std::mutex Mutex;
 
-  /** Forgets the state of earlier tests. The device must be closed. */
+  /** Resets the state for the next test. The device must be closed. */
   void Reset() { static_cast<FakeForceDimensionState&>(*this) = {}; }
   /** Returns the fake library's state, if the program is linked to the library. */
   static FakeForceDimension& Get();

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * Declares what the module uses of hidapi 0.14 to list devices, by the public reference of its API
- * (libusb.info/hidapi, "hidapi API"): hid_get_report_descriptor() is new in 0.14, and returns the
- * number of bytes that it has copied, or -1. NewerHidapiTest.cxx implements it.
+ * Declares the functions of hidapi 0.14 that the module uses to list devices, according to the
+ * public API reference (libusb.info/hidapi, "hidapi API"): hid_get_report_descriptor() is new in
+ * 0.14, and returns the number of bytes that it has copied, or -1. NewerHidapiTest.cxx implements
+ * it.
  */
 #ifndef PlayedHidapi_h
 #define PlayedHidapi_h

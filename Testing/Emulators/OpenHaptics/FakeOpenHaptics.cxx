@@ -43,7 +43,7 @@ bool IsOpen(HHD handle)
   return (handle == FirstHandle || handle == RightHandle) && Arm(handle).IsOpen;
 }
 
-// Puts a fault on the stack of the current device.
+// Pushes an error on the current device's error stack.
 void Push(HDerror fault)
 {
   Arm(current).Faults.push_back(fault);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 /**
- * A library in place of OpenHaptics' libHD, with a device in a hand. It follows the toolkit's
- * public documentation (OpenHaptics Toolkit 3.5, API Reference and Programmer's Guide): callbacks
- * run on the scheduler's thread; setting a force outside of hdBeginFrame and hdEndFrame is an
- * error; hdGetError pops faults from a stack; units are millimetres, newtons and millinewton
- * metres; matrices are stored column by column.
+ * A stand-in for OpenHaptics' libHD, with a device in a hand. It follows the toolkit's public
+ * documentation (OpenHaptics Toolkit 3.5, API Reference and Programmer's Guide): callbacks run on
+ * the scheduler's thread; setting a force outside hdBeginFrame and hdEndFrame is an error;
+ * hdGetError pops faults from a stack; units are millimetres, newtons and millinewton metres;
+ * matrices are stored column by column.
  *
  * HD_CALIBRATION_STYLE is a mask of the ways to calibrate a device; hdUpdateCalibration() takes one
  * of them. 3D Systems' example prefers automatic calibration to the inkwell, and the inkwell to a
@@ -40,7 +40,7 @@ struct FakeArm
   bool IsOpen = false;
   bool IsForceEnabled = false;
   bool IsInFrame = false;
-  std::vector<unsigned> Faults; ///< stack of the faults that were not read yet
+  std::vector<unsigned> Faults; ///< stack of the errors that were not read yet
   EmulatedHand Hand;            ///< m
   Triple Force{};               ///< N, force of the last frame
   Triple Torque{};              ///< mN m, torque of the last frame
@@ -61,8 +61,8 @@ struct FakeOpenHapticsState : FakeArm
   unsigned Calibration = 301;    ///< HD_CALIBRATION_OK
   int Styles = 5;                ///< bits of the ways to calibrate the device; here those of a
                                  ///< Touch
-  std::string Name;              ///< name of the only device; empty: the default device
-  double ContinuousForce = 0.88; ///< N; 0: the library does not know it
+  std::string Name; ///< name of the only device; empty: the default device
+  double ContinuousForce = 0.88; ///< N; 0: unknown to the library
   int Buttons = 0;
   bool TellsNonsense = false;
   /// Orientation of the stylus: the three columns of a rotation matrix.
@@ -70,8 +70,9 @@ struct FakeOpenHapticsState : FakeArm
   int ForcesBeforeZero = 0;       ///< number of forces in frames before the zero was known
   int ForcesAtTheEnd = 0;         ///< number of times that the scheduler stopped while any arm had
                                   ///< force
-  double LargestFall = 0.0;       ///< N, of the first arm's upward force between two frames
-  std::vector<std::string> Calls; ///< names of the calls outside of frames
+  /// N, largest decrease of the first arm's upward force between two frames
+  double LargestFall = 0.0;
+  std::vector<std::string> Calls; ///< names of the calls outside frames
 };
 
 struct FakeOpenHaptics : FakeOpenHapticsState
@@ -79,7 +80,7 @@ struct FakeOpenHaptics : FakeOpenHapticsState
   std::mutex Mutex;
   std::atomic<long> Frames{ 0 };
 
-  /** Forgets the state of earlier tests. The scheduler must not run. */
+  /** Resets the state for the next test. The scheduler must not run. */
   void Reset() { static_cast<FakeOpenHapticsState&>(*this) = {}; }
   /** Returns the fake library's state, if the program is linked to the library. */
   static FakeOpenHaptics& Get();

@@ -3,10 +3,10 @@
 
 /**
  * Replaces VTK's class of this name in the module RenderingOpenXR, if VTK is built without that
- * module. It has only the function that is used. VTK's API documentation for 9.2 to 9.6 gives the
- * signature and the arguments: the name of an action of the manifest, the hand (0 left, 1 right),
- * the amplitude (0 to 1), the duration (ns) and the frequency (Hz; 0: any). It records calls
- * instead of making a controller vibrate.
+ * module. It contains only the function that is used. VTK's API documentation for 9.2 to 9.6
+ * defines the signature and the arguments: the name of an action of the manifest, the hand (0 left,
+ * 1 right), the amplitude (0 to 1), the duration (ns) and the frequency (Hz; 0: any). Calls are
+ * recorded instead of making a controller vibrate.
  */
 #ifndef vtkOpenXRRenderWindowInteractor_h
 #define vtkOpenXRRenderWindowInteractor_h
@@ -45,7 +45,7 @@ public:
     std::chrono::steady_clock::time_point At;
   };
   std::vector<Call> Calls;
-  bool Accepts = true; ///< false: the action is missing in the manifest
+  bool Accepts = true; ///< false: the manifest lacks the action
   double PhysicalScale = 1.0;
   double GetPhysicalScale() override { return this->PhysicalScale; }
 };

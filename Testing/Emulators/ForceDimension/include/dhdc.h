@@ -4,8 +4,8 @@
 /**
  * A stand-in for Force Dimension's header of this name: the functions that the plug-in uses, with
  * the signatures, constants and units of the SDK's public documentation
- * (downloads.forcedimension.com/sdk/doc, Haptic SDK 3.14). Names of device types are left out,
- * because SDK 3.17 has others than 3.14 and deprecates those; the numbers are the same.
+ * (downloads.forcedimension.com/sdk/doc, Haptic SDK 3.14). Names of device types are omitted,
+ * because SDK 3.17 deprecates those of 3.14 and has new ones; the numbers are the same.
  */
 #ifndef FakeDhdc_h
 #define FakeDhdc_h

@@ -4,7 +4,7 @@
 /**
  * A stand-in for OpenHaptics' header of this name: the functions that the plug-in uses, with the
  * signatures and units of its public documentation (OpenHaptics Toolkit 3.5, API Reference). The
- * numbers of enumerators are not the library's.
+ * values of enumerators differ from the library's.
  */
 #ifndef FakeHd_h
 #define FakeHd_h
@@ -56,7 +56,7 @@ enum : unsigned int
   HD_OUTPUT_DOF,
   HD_CALIBRATION_STYLE,
   HD_NOMINAL_MAX_CONTINUOUS_FORCE,
-  HD_CALIBRATION_ENCODER_RESET = 1, // the calibration styles are bits, as in the library
+  HD_CALIBRATION_ENCODER_RESET = 1, // the calibration styles are bits, like in the library
   HD_CALIBRATION_AUTO = 2,
   HD_CALIBRATION_INKWELL = 4,
   HD_FORCE_OUTPUT = 201,
