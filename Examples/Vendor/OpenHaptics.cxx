@@ -62,7 +62,7 @@ struct Report
   int Buttons = 0;
   bool IsCalibrated = false;
   unsigned Calibration = 0; // libHD's error number if the device is not calibrated
-  unsigned Error = 0; // libHD's error number; HD_SUCCESS without an error
+  unsigned Error = 0;       // libHD's error number; HD_SUCCESS without an error
   std::int64_t Time = 0;
 };
 
@@ -100,7 +100,7 @@ struct Service
   std::vector<Device*> Devices;
   HDSchedulerHandle Callback = 0;
   std::atomic<bool> Fades{ false }; // whether the forces fade out before a pause
-  double Share = 1.0; // factor of all forces, from 0 to 1; used by the callback only
+  double Share = 1.0;               // factor of all forces, from 0 to 1; used by the callback only
   std::atomic<bool> Pauses{ false };
   std::atomic<unsigned> Pause{ 0 };       // number of pauses so far
   std::atomic<std::int64_t> Resumed{ 0 }; // time of the last start

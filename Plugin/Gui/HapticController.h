@@ -41,7 +41,7 @@ public:
   struct DeviceChoice
   {
     QString Id;
-    QString Name; ///< maker, product, and port
+    QString Name;  ///< maker, product, and port
     QString State; ///< "available", "in use", or the obstacle and the cure
   };
   /** Searches for devices again. The first entry is always "virtual". */
@@ -61,12 +61,12 @@ public:
     int Method = 0;        ///< method of that filter
     bool CanShow = false;  ///< whether there is a volume, and a render view
     bool IsVolume = false; ///< whether the view shows the volume by volume rendering
-    QString Recorded; ///< file of the last recording if it was written; otherwise empty
+    QString Recorded;      ///< file of the last recording if it was written; otherwise empty
     QString Felt; ///< names of the felt volume and its filter; empty if nothing is attached
     QString Status;
     bool IsFault = false;
     double Force = 0.0;       ///< N, on the hand
-    bool HasSecond = false; ///< whether there is a device for the other hand
+    bool HasSecond = false;   ///< whether there is a device for the other hand
     double SecondForce = 0.0; ///< N, on the other hand
     QString SecondStatus;
     double MaximumForce = 0.0; ///< N

@@ -30,7 +30,7 @@
 
 namespace
 {
-constexpr int Period = 100; ///< ms between two updates from the device
+constexpr int Period = 100;    ///< ms between two updates from the device
 constexpr int BarSteps = 1000; ///< number of steps of the bar, from 0 to the largest force
 
 /**

@@ -103,7 +103,7 @@ private:
   bool IsRefused = false;
   bool IsMoving = false;     // whether the volume has times
   bool HasTimeSteps = false; // whether time steps have begun since the position was last requested
-  double ViewTime = 0.0; // time of the view for which the server's volume was updated
+  double ViewTime = 0.0;     // time of the view for which the server's volume was updated
 };
 
 } // namespace VolumeHapticsLive

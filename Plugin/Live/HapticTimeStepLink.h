@@ -73,7 +73,7 @@ private:
   vtkSmartPointer<vtkImageData> To;
   double FromTime = 0.0; // time of the data
   double ToTime = 0.0;
-  double SentAt = 0.0; // time at which the last step was sent (s), on this computer's clock
+  double SentAt = 0.0;   // time at which the last step was sent (s), on this computer's clock
   double SeenTime = 0.0; // data time in the servo's latest states
   // servo time (s) since which SeenTime has not changed; 0 if unknown since the last step
   double SeenAt = 0.0;

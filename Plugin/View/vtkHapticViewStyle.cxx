@@ -56,7 +56,7 @@ namespace
 {
 
 constexpr double ShortestPause = 0.05; // s: shortest pause between two moves
-constexpr double PauseFraction = 4.0; // pause as a multiple of the drawing time
+constexpr double PauseFraction = 4.0;  // pause as a multiple of the drawing time
 
 /** Arms or disarms a device, as an order that can't be undone: "undo" must not arm a device. */
 void OrderArmed(vtkSMProxy* device, bool on)

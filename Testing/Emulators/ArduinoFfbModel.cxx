@@ -35,8 +35,8 @@ enum ReportId : std::uint8_t
 constexpr int ConstantForce = 1;
 constexpr int Infinite = 0x7FFF;     ///< ms
 constexpr int DirectionEnable = 4;   ///< value of the Direction Enable bit in Set Effect
-constexpr int FullGain = 100; ///< per cent, set by the sketch
-constexpr int FullForce = 250; ///< largest force that is passed to the sketch
+constexpr int FullGain = 100;        ///< per cent, set by the sketch
+constexpr int FullForce = 250;       ///< largest force that is passed to the sketch
 constexpr int FullMagnitude = 10000; ///< largest magnitude in a report
 
 void BlockIndex(HidItems& items)

@@ -61,7 +61,7 @@ public:
    * the device has none.
    */
   std::function<void(const std::uint8_t* report, int size)> Input = [](const std::uint8_t*, int) {};
-  bool TellsSerial = true;  ///< whether the device has a serial number
+  bool TellsSerial = true; ///< whether the device has a serial number
   /// whether the device is on bus 0005 without a USB parent, instead of on bus 0003 (USB)
   bool IsBluetooth = false;
 };

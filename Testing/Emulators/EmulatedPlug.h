@@ -31,7 +31,7 @@ public:
   void Pump();
 
   mutable std::mutex Mutex;
-  std::string Driver; ///< driver of the kernel that is bound to interface 0
+  std::string Driver;                   ///< driver of the kernel that is bound to interface 0
   UMockdevIoctlClient* Owner = nullptr; ///< client that has claimed interface 0
 
 private:

@@ -49,7 +49,7 @@ public:
   Numbers Velocity{};
   Numbers Hand = Place; ///< m, position of the hand
   Numbers Aim = Place;  ///< m, target of the hand
-  bool IsHeld = false; ///< whether the hand is clamped, so that no force moves it
+  bool IsHeld = false;  ///< whether the hand is clamped, so that no force moves it
 };
 
 } // namespace emulated

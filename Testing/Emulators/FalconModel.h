@@ -52,23 +52,23 @@ enum class FalconFault
 {
   None,
   ShortPacket, ///< an answer without its last bytes
-  Garbage, ///< an answer that is not a packet
+  Garbage,     ///< an answer that is not a packet
   Silence,     ///< no answer
-  LateAnswer, ///< an answer that arrives after the next packet
+  LateAnswer,  ///< an answer that arrives after the next packet
   StallOut,
   StallIn,
-  BadCable, ///< OUT transfers fail with EPROTO
-  StuckOut, ///< OUT transfers never end
-  Nowhere, ///< encoder counts that correspond to no position
+  BadCable,     ///< OUT transfers fail with EPROTO
+  StuckOut,     ///< OUT transfers never end
+  Nowhere,      ///< encoder counts that correspond to no position
   Jump,         ///< encoder counts of a position 25 mm away
   LostZero,     ///< an encoder that loses its homing
   NoGreeting,   ///< no answer from the loader
   LateGreeting, ///< an answer to a greeting that arrives just before the host's next request
   LeadingZero,  ///< a 0x00 before the answer to a greeting
   LeadingShake, ///< a 0x13 before the answer at the loading rate
-  StuckLoader, ///< no answer until the device has been reopened the given number of times
-  WrongEcho, ///< a byte of the image that is echoed incorrectly
-  NoEcho, ///< a block of the image that is not echoed
+  StuckLoader,  ///< no answer until the device has been reopened the given number of times
+  WrongEcho,    ///< a byte of the image that is echoed incorrectly
+  NoEcho,       ///< a block of the image that is not echoed
   DeadImage     ///< an image that is accepted, but does not run
 };
 

@@ -44,9 +44,9 @@ namespace emulated
 struct HaplySession
 {
   std::string Greeting;       ///< the first message
-  std::string Arm; ///< id of the arm that the session controls
+  std::string Arm;            ///< id of the arm that the session controls
   std::vector<Triple> Forces; ///< N, one per message
-  int Refused = 0; ///< number of messages that were not understood
+  int Refused = 0;            ///< number of messages that were not understood
   bool IsOpen = true;
 };
 

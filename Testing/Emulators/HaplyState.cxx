@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 constexpr Triple BaseToMiddle{ 0.0, -0.12, 0.15 };
 // s; a longer pause moves the hand only as far as this time does
 constexpr double LongestStep = 5e-3;
-constexpr double ShortStep = 1e-4;   // s
+constexpr double ShortStep = 1e-4; // s
 
 /// Returns, for each axis of a session, the index and the sign of Haply's axis.
 std::array<std::pair<int, double>, 3> ReadBasis(const std::string& basis)

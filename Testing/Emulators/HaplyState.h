@@ -25,15 +25,15 @@ struct HaplyShape
   std::string Version = "3.5.0";
   std::string Family = "inverse3"; ///< device family of both arms
   std::string Type = "inverse3";
-  bool HasMaps = false; ///< writes maps from identifiers to devices, like version 3.0
+  bool HasMaps = false;       ///< writes maps from identifiers to devices, like version 3.0
   bool OmitsDefaults = false; ///< omits numbers that equal their default, and released buttons
   bool IsReordered = false;   ///< writes the members of objects in reverse order
   bool HasEvents = true;
-  bool HasOwnHttp = false; ///< uses different ports for HTTP and states, like versions up to 3.1
-  bool HasDeviceList = true;    ///< lists devices by HTTP
+  bool HasOwnHttp = false;   ///< uses different ports for HTTP and states, like versions up to 3.1
+  bool HasDeviceList = true; ///< lists devices by HTTP
   bool OmitsFalseFlags = false; ///< omits the false flags of a status
   bool HasStatus = true; ///< writes the status into states, too, instead of only into the inventory
-  int DropTime = 0; ///< time (ms) for which a closed session still counts as in use
+  int DropTime = 0;      ///< time (ms) for which a closed session still counts as in use
   /** Basis of a session that sets none. Haply's Hub may reuse the basis of an earlier session. */
   std::string Basis = "XYZ";
   /**
@@ -51,7 +51,7 @@ struct HaplyShape
 enum class HaplyFault
 {
   None,
-  Silent, ///< accepts messages without answering them
+  Silent,    ///< accepts messages without answering them
   Slow,      ///< delays each state by 60 ms
   Junk,      ///< sends states that are not JSON
   Blind,     ///< sends states without a position
@@ -62,11 +62,11 @@ enum class HaplyFault
   Twice,     ///< answers each message twice
   Wrong,     ///< answers with a frame that the protocol forbids
   TooLong,   ///< announces a message of 4 GiB
-  Leaves, ///< closes the connection with the protocol's handshake
-  HalfEnds, ///< closes its direction of the connection without a message
+  Leaves,    ///< closes the connection with the protocol's handshake
+  HalfEnds,  ///< closes its direction of the connection without a message
   Resets,    ///< resets the connection
-  Pings, ///< sends pings endlessly, and answers no messages
-  DeafPings ///< sends pings endlessly, and reads nothing
+  Pings,     ///< sends pings endlessly, and answers no messages
+  DeafPings  ///< sends pings endlessly, and reads nothing
 };
 
 /// The axes and the origin of a session's vectors.
@@ -74,7 +74,7 @@ struct HaplyView
 {
   /// preset that defines the origin: the arm's base, or the centre of the workspace
   std::string Preset = "defaults";
-  bool IsWhole = false;            ///< whether the next state includes the configuration
+  bool IsWhole = false; ///< whether the next state includes the configuration
   /// Axes of the session. In "YZX", the session's x is Haply's y, its y is Haply's z, and its z is
   /// Haply's x. A minus before a letter reverses that axis.
   std::string Basis = "XYZ";

@@ -43,7 +43,7 @@ enum class HfabFault
   Junk,     ///< sends bytes that are not an answer
   Late,     ///< answers after 30 ms
   OtherArm, ///< reports another model
-  Refusal, ///< rejects messages, as if each were followed by another one
+  Refusal,  ///< rejects messages, as if each were followed by another one
   Jump      ///< an encoder jumps by 1000 counts
 };
 

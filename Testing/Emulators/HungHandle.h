@@ -21,20 +21,20 @@ class HungHandle
 public:
   static constexpr double Gravity = 9.80665; ///< m/s^2
 
-  double Strength = 1.0; ///< N exerted for each newton of a command
-  double Mass = 0.15;             ///< kg, mass of handle and arm
-  double Balance = 0.9;           ///< fraction of the handle's weight that the arm carries
-  double ArmStiffness = 15.0;     ///< N/m, stiffness of the arm's own springs
-  double Viscosity = 1.0;         ///< N s/m
-  double Friction = 0.1;          ///< N, Coulomb friction
-  Triple Down{ 0.0, -1.0, 0.0 };  ///< direction of gravity, a unit vector
-  double Quantum = 0.02e-3;       ///< m, resolution of the encoders
-  double Weight = 0.0;            ///< kg, mass that hangs on the handle
-  bool IsHeld = true;             ///< whether a hand holds the handle in place
-  double Tremor = 0.0;            ///< m, size of the holding hand's tremor
+  double Strength = 1.0;         ///< N exerted for each newton of a command
+  double Mass = 0.15;            ///< kg, mass of handle and arm
+  double Balance = 0.9;          ///< fraction of the handle's weight that the arm carries
+  double ArmStiffness = 15.0;    ///< N/m, stiffness of the arm's own springs
+  double Viscosity = 1.0;        ///< N s/m
+  double Friction = 0.1;         ///< N, Coulomb friction
+  Triple Down{ 0.0, -1.0, 0.0 }; ///< direction of gravity, a unit vector
+  double Quantum = 0.02e-3;      ///< m, resolution of the encoders
+  double Weight = 0.0;           ///< kg, mass that hangs on the handle
+  bool IsHeld = true;            ///< whether a hand holds the handle in place
+  double Tremor = 0.0;           ///< m, size of the holding hand's tremor
   /// whether there is a scale below the handle, with its plate perpendicular to y
   bool HasScale = false;
-  double PlateBelow = 0.005; ///< m, distance of the plate below the initial position
+  double PlateBelow = 0.005;      ///< m, distance of the plate below the initial position
   double ScaleStiffness = 5000.0; ///< N/m
   double ScaleDamping = 20.0;     ///< N s/m
 

@@ -46,7 +46,7 @@ private:
   {
     std::uint32_t Number;
     std::uint8_t Endpoint; ///< number of the endpoint
-    Bytes Data; ///< bytes to send, or a buffer of the requested size
+    Bytes Data;            ///< bytes to send, or a buffer of the requested size
   };
 
   int Control(const std::uint8_t setup[8], std::uint8_t* data, int size);

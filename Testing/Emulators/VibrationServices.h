@@ -39,7 +39,7 @@ struct Vibrations
 {
   std::vector<std::string> Messages; ///< all messages, as they arrived
   std::vector<int> Levels;           ///< levels that messages set; 0 for a stop
-  int Refused = 0; ///< number of messages that were not understood
+  int Refused = 0;                   ///< number of messages that were not understood
   bool IsOpen = false;               ///< whether a client is connected
   bool EndsStopped = false; ///< whether the last message before the connection ended was a stop
 };

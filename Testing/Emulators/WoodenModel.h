@@ -85,7 +85,7 @@ public:
   std::atomic<bool> IgnoresPresets{ false };
   /// number of presets that are ignored, as if another packet had followed at once
   std::atomic<int> MissedPresets{ 0 };
-  std::atomic<bool> Button{ false };   ///< whether the button was pressed after the last preset
+  std::atomic<bool> Button{ false }; ///< whether the button was pressed after the last preset
 
 private:
   bool IsMbed() const { return this->Controller == Board::Mbed; }

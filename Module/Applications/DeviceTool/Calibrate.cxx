@@ -24,7 +24,7 @@ class vtkVolumeHapticsFilter;
 namespace
 {
 
-constexpr double Strength = 1000.0; // N, much more than any device can exert
+constexpr double Strength = 1000.0;    // N, much more than any device can exert
 constexpr double MediumSpacing = 40.0; // mm
 // number of voxels with which the medium exceeds every device's workspace
 constexpr int MediumSteps = 6;

@@ -32,7 +32,7 @@ public:
     int Axis = 1;
     double Direction = -1.0; ///< towards the scale
     double Level = 0.0;      ///< N
-    double MostForce = 0.0; ///< N, the largest force that may be requested from the device
+    double MostForce = 0.0;  ///< N, the largest force that may be requested from the device
   };
 
   explicit ScalePress(const Settings& settings);

@@ -31,7 +31,7 @@ struct ToolOptions
   /// folders of plug-ins; empty: the folders named by the environment variable
   std::string VendorPath;
   double Seconds = 0.0;             ///< s; 0: not given
-  double HomingTime = 120.0; ///< longest wait for each step of homing (s)
+  double HomingTime = 120.0;        ///< longest wait for each step of homing (s)
   double ServoRate = 1000.0;        ///< Hz
   double Newtons[2] = { 100, 100 }; ///< newtons of a stick that is fully deflected, along x and y
   bool HasNewtons = false;          ///< whether the user has given Newtons

@@ -43,7 +43,7 @@ using VolumeHaptics::SendAll;
 
 constexpr std::uint32_t LONGEST_VALUE = 1024; // bytes of the longest value that is passed on
 constexpr std::uint32_t LONGEST_OFFSETS = 65536;
-const gdcm::Tag OFFSETS(0x3004, 0x000c); // byte offset of each frame of a dose
+const gdcm::Tag OFFSETS(0x3004, 0x000c);             // byte offset of each frame of a dose
 constexpr std::uint32_t REAL_WORLD = 0x00409096;     // RealWorldValueMappingSequence
 constexpr std::uint32_t MODALITY_TABLE = 0x00283000; // ModalityLUTSequence
 const gdcm::Tag ROWS(0x0028, 0x0010), BEFORE_PIXELS(0x7fe0, 0x0007);

@@ -27,7 +27,7 @@ namespace VolumeHaptics
  */
 struct DeviceOptions
 {
-  std::string FirmwareFile; ///< firmware image for a device that has no firmware loaded
+  std::string FirmwareFile;  ///< firmware image for a device that has no firmware loaded
   double HomingTime = 120.0; ///< longest time (s) for each step of homing
   /** Force (N) of a stick at full scale, along x and y. */
   std::array<double, 2> NewtonsPerFullScale{ 100.0, 100.0 };
@@ -42,7 +42,7 @@ struct DeviceOptions
 struct DeviceListing
 {
   std::string Id;    ///< id that opens the device
-  std::string Name; ///< readable name: maker, product and port
+  std::string Name;  ///< readable name: maker, product and port
   std::string State; ///< "available", "in use", or the obstacle and its cure
   /// DeviceBackend::GetIdentity of the open device, if it is known before opening and KeepsIdentity
   /// returns true. Otherwise empty.

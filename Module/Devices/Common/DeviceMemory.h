@@ -31,7 +31,7 @@ struct DeviceFacts
 
   /** Day on which the device's signs were confirmed; empty if they never were. */
   std::string Confirmed;
-  double Scale = 1.0; ///< exerted newtons per requested newton
+  double Scale = 1.0;     ///< exerted newtons per requested newton
   std::string Calibrated; ///< day of the calibration; empty if the device was never calibrated
 
   /** Describes the scale, for example "calibrated 0.83 on 2026-11-22" or "uncalibrated". */

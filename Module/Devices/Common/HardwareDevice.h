@@ -183,8 +183,8 @@ private:
   TrueNewtons Newtons;
   std::thread Thread;
   std::unique_ptr<ServoPriority> Priority; // requests the priority of Thread
-  std::thread Request; // thread of SeekPriority's request, if any
-  std::int64_t Process = 0; // id of the process that owns the threads
+  std::thread Request;                     // thread of SeekPriority's request, if any
+  std::int64_t Process = 0;                // id of the process that owns the threads
   // whether this object is in a forked child, in which the threads don't exist
   bool IsAbandoned = false;
 };

@@ -162,7 +162,7 @@ private:
     Vector3 Torque;
     std::int64_t Time = 0;
     std::uint32_t TimesReady = 0; ///< value of the exchange's TimesReady that the servo saw last
-    std::int64_t Of = 0; ///< DeviceSample::Time of the last sample that the servo received
+    std::int64_t Of = 0;          ///< DeviceSample::Time of the last sample that the servo received
   };
   void WakeUp() noexcept;
   void SetHoming() noexcept;

@@ -22,7 +22,7 @@ namespace VolumeHaptics
 enum class FalconHomingState : std::uint8_t
 {
   OutAndIn, ///< the user must pull the grip fully out, then push it fully in
-  Out, ///< the encoders are homed; the user must pull the grip out
+  Out,      ///< the encoders are homed; the user must pull the grip out
   Ready,
   TimedOut, ///< the user took too long; this state lasts until Restart()
   Lost      ///< the encoders have lost their zero after homing; this state lasts until Restart()

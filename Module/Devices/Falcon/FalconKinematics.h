@@ -37,7 +37,7 @@ constexpr int FalconLargestCommand = 4096;
 enum class FalconReach : std::uint8_t
 {
   Reached,
-  OutOfReach, ///< no configuration of the assembled device closes all legs at these angles
+  OutOfReach,  ///< no configuration of the assembled device closes all legs at these angles
   NotConverged ///< FalconMostSteps steps did not suffice
 };
 

@@ -36,12 +36,12 @@ enum class FalconLoaderFault : std::uint8_t
   None,
   NoImage,        ///< the image is empty
   Refused,        ///< a request or a write failed
-  NoGreeting, ///< FalconMostGreetings greetings were sent without an answer to the last one
+  NoGreeting,     ///< FalconMostGreetings greetings were sent without an answer to the last one
   WrongGreeting,  ///< the answer to the last greeting was wrong
   NoHandshake,    ///< there was no answer at the loading rate
   WrongHandshake, ///< the answer at the loading rate was wrong
   NoEcho,         ///< a block of the image was not echoed in time
-  WrongEcho ///< the echo of a block differed, or was too long
+  WrongEcho       ///< the echo of a block differed, or was too long
 };
 
 /** Returns a description of the fault. */
@@ -54,7 +54,7 @@ struct FalconLoaderStep
   {
     Request, ///< send Request, then call Done()
     Write,   ///< write Size bytes, then call Done()
-    Read, ///< read, then call Receive() or TimeOut(); Size is the number of bytes still expected
+    Read,    ///< read, then call Receive() or TimeOut(); Size is the number of bytes still expected
     Finished,
     Failed
   };
@@ -122,7 +122,7 @@ private:
 
   FtdiPayload Image;
   std::size_t NextRequest = 0;
-  std::size_t Offset = 0; ///< offset of the block in the image
+  std::size_t Offset = 0;  ///< offset of the block in the image
   std::size_t Matched = 0; ///< number of received bytes of the answer that match
   std::size_t Confirmed = 0;
   int Greetings = 0;

@@ -60,7 +60,7 @@ struct FalconOrder
 /** The contents of the device's answer. */
 struct FalconReport
 {
-  FalconCounts Encoders{}; ///< encoder counts, valid only for homed encoders
+  FalconCounts Encoders{};  ///< encoder counts, valid only for homed encoders
   std::uint8_t Buttons = 0; ///< FalconPlus ... FalconMinus
   std::uint8_t Homed = 0;   ///< one bit for each homed encoder
 };
@@ -70,10 +70,10 @@ enum class FalconFlaw : std::uint8_t
 {
   None,
   Length, ///< the size is not 16 bytes
-  Begin, ///< the first byte is not '<'
+  Begin,  ///< the first byte is not '<'
   Nibble, ///< a byte of a number is not from 'A' to 'P'
-  Bits, ///< byte 13 is less than 0x41 or has more than seven payload bits
-  End ///< the last byte is not '>'
+  Bits,   ///< byte 13 is less than 0x41 or has more than seven payload bits
+  End     ///< the last byte is not '>'
 };
 
 /** Returns a description of the fault. */

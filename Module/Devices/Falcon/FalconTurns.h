@@ -68,14 +68,14 @@ private:
   {
     Host,
     Device, ///< waiting for the device's answer
-    Drain ///< an answer has arrived, and more may follow
+    Drain   ///< an answer has arrived, and more may follow
   };
 
   static constexpr int MostOwed = 1000;
 
   Side Turn = Side::Host;
-  int Owed = 0; ///< number of outstanding answers
-  int Doubts = 0; ///< number of remaining rounds that drain the line
+  int Owed = 0;           ///< number of outstanding answers
+  int Doubts = 0;         ///< number of remaining rounds that drain the line
   std::int64_t Since = 0; ///< time of the last packet or answer (ns)
 };
 

@@ -28,7 +28,7 @@ constexpr std::int64_t StateWait = 5 * ServoClock::Millisecond;
 // equals HardwareExchange::WatchdogTime
 constexpr std::int64_t LateTime = 30 * ServoClock::Millisecond;
 constexpr std::int64_t DropTime = 500 * ServoClock::Millisecond;
-constexpr int LostWait = 10;     // in ms
+constexpr int LostWait = 10; // in ms
 // limit of the queued states that are read at once: some seconds of states
 constexpr int MostStates = 1000;
 

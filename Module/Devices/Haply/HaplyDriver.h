@@ -129,7 +129,7 @@ private:
   std::string Text;
   std::string Newest; ///< text of the newest state
   bool IsLost = false;
-  bool IsGone = false; ///< whether the arm was unplugged or the service has ended
+  bool IsGone = false;  ///< whether the arm was unplugged or the service has ended
   bool IsReady = false; ///< whether the device may exert a force
   ///@{
   /** The flags as the service last reported them; false before the first report. */
@@ -141,15 +141,15 @@ private:
   int Awaited = 0; ///< number of unanswered messages
   std::int64_t SentAt = 0;
   std::int64_t HeardAt = 0; ///< time at which the last state was received
-  std::int64_t ToldAt = 0; ///< time at which the last state with a position was received
+  std::int64_t ToldAt = 0;  ///< time at which the last state with a position was received
   int EmptyWaits = 0;
   int Settled = 0; ///< number of consecutive positions without a long step
   Vector3 Tip;     ///< last position along the device's axes
   bool HasTip = false;
   HaplyTransform Transform; ///< last received transform
-  std::string Preset; ///< last preset received in this session
-  int Untold = 0; ///< number of states without a preset before the first one with a preset
-  std::string Note;              ///< last warning of the service
+  std::string Preset;       ///< last preset received in this session
+  int Untold = 0;   ///< number of states without a preset before the first one with a preset
+  std::string Note; ///< last warning of the service
   const char* Request = nullptr; ///< last instruction to the user
 };
 

@@ -61,10 +61,10 @@ struct HaplyArm
   std::string Id;
   std::string Type;                      ///< "inverse3", "inverse3x" or "minverse", if reported
   std::string Handedness;                ///< "left" or "right", if reported
-  std::string Preset; ///< name of the arm's preset, if reported
+  std::string Preset;                    ///< name of the arm's preset, if reported
   std::optional<Vector3> Position;       ///< m
   std::optional<Vector3> Velocity;       ///< m/s
-  std::optional<Vector3> Force; ///< force that the service currently applies (N)
+  std::optional<Vector3> Force;          ///< force that the service currently applies (N)
   std::optional<Quaternion> Orientation; ///< orientation of the arm's body
   std::optional<HaplyTransform> Transform;
   /** Whether the position or the transform contains null, which the service writes for NaN. */
@@ -82,7 +82,7 @@ struct HaplyGrip
 {
   std::string Id;
   std::optional<Quaternion> Orientation; ///< orientation along Haply's axes
-  std::uint32_t Buttons = 0; ///< bits 0 to 3: a (or the only button), b, c, home
+  std::uint32_t Buttons = 0;             ///< bits 0 to 3: a (or the only button), b, c, home
   bool IsAwake = true;
 };
 

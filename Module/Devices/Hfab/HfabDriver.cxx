@@ -15,7 +15,7 @@ namespace
 
 constexpr int HfabRoundPause = 2; // ms, between messages if the servo has no force
 constexpr int HfabLostPause = 10; // ms
-constexpr int WriteTime = 20; // ms
+constexpr int WriteTime = 20;     // ms
 /** Time (s) without an answer after which a message counts as lost and the next one is sent. */
 constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;

@@ -85,7 +85,7 @@ public:
 private:
   enum class Phase : std::uint8_t
   {
-    Waiting, ///< waits until the user has moved the arm to its pose and calls Home()
+    Waiting,     ///< waits until the user has moved the arm to its pose and calls Home()
     Calibrating, ///< waits until the arm is at rest
     Ready
   };

@@ -48,14 +48,14 @@ struct HfabGeometry
 {
   const char* Name;
   bool IsLinkage;
-  std::array<double, 3> Capstan; ///< diameters of the capstans on the motors (m)
-  std::array<double, 3> Body; ///< diameters of the drums on the joints (m)
+  std::array<double, 3> Capstan;        ///< diameters of the capstans on the motors (m)
+  std::array<double, 3> Body;           ///< diameters of the drums on the joints (m)
   std::array<double, 3> Lengths;        ///< lengths of a serial arm in m: base, upper arm, forearm
   Vector3 Origin;                       ///< origin of the tip's position (m)
   std::array<double, 3> TorqueConstant; ///< in N m/A
   double CountsPerTurn;                 ///< encoder counts per revolution of a motor
   std::array<double, 3> Signs;          ///< +1 if counts grow with the joint's angle
-  std::array<int, 6> Home; ///< counts in the calibration pose
+  std::array<int, 6> Home;              ///< counts in the calibration pose
   /// mA for each motor: the lowest setting of the controller's amplifiers
   double MaximumCurrent;
   double GimbalCounts; ///< encoder counts per revolution of the handle; 0 if it has no encoders

@@ -62,7 +62,7 @@ private:
   RateTip Tip;
   Vibration Levels;
   int Strong = 0; ///< last level sent to the strong motor
-  int Weak = 0; ///< last level sent to the weak motor
+  int Weak = 0;   ///< last level sent to the weak motor
   int BadReports = 0;
   std::int64_t SentAt = 0;
   std::int64_t LastRound = 0;

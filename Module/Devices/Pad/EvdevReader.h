@@ -28,7 +28,7 @@ public:
   enum class News : std::uint8_t
   {
     None,
-    Report, ///< a report is complete; Get() returns a new state
+    Report,  ///< a report is complete; Get() returns a new state
     MustRead ///< events were lost; all axes and buttons must be read from the device
   };
 

@@ -25,9 +25,9 @@ enum PadButton : std::uint32_t
   PadRightShoulder = 1U << 5, ///< the button above the right trigger
   PadSelect = 1U << 6,
   PadStart = 1U << 7,
-  PadLeftStick = 1U << 8, ///< pressing the left stick
+  PadLeftStick = 1U << 8,  ///< pressing the left stick
   PadRightStick = 1U << 9, ///< pressing the right stick
-  PadMode = 1U << 10 ///< the button with the maker's logo
+  PadMode = 1U << 10       ///< the button with the maker's logo
 };
 
 struct PadState

@@ -42,14 +42,14 @@ namespace VolumeHaptics
 struct VibrationLevels
 {
   double Strong = 0.0; ///< level of the motor that turns slowly
-  double Weak = 0.0; ///< level of the motor that turns fast
+  double Weak = 0.0;   ///< level of the motor that turns fast
 };
 
 class Vibration
 {
 public:
-  static constexpr double FastTime = 0.02;  ///< time constant (s) of the fast low-pass of the force
-  static constexpr double SlowTime = 0.15;  ///< time constant (s) of the slow low-pass of the force
+  static constexpr double FastTime = 0.02; ///< time constant (s) of the fast low-pass of the force
+  static constexpr double SlowTime = 0.15; ///< time constant (s) of the slow low-pass of the force
   /// change of the force (N) at which a motor turns at full speed
   static constexpr double FullChange = 1.0;
   static constexpr double RiseRate = 100.0; ///< 1/s

@@ -22,7 +22,7 @@ public:
   {
     /// x (or the wheel) and y, scaled from the logical range to -1 to 1
     std::array<double, 2> Axes{};
-    std::uint32_t Buttons = 0;    ///< bit 0 is button 1; at most 32 buttons
+    std::uint32_t Buttons = 0; ///< bit 0 is button 1; at most 32 buttons
   };
 
   /**

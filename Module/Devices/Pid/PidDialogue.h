@@ -118,7 +118,7 @@ private:
   /** Magnitudes as last sent. */
   std::array<std::array<std::uint8_t, HidReport::Capacity + 1>, PidDevice::MostEffects> Last{};
   double Silence = 0.0; ///< time since a report was sent (s)
-  int Turn = 0; ///< index of the effect that is served next
+  int Turn = 0;         ///< index of the effect that is served next
 };
 
 } // namespace VolumeHaptics

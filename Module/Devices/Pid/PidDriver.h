@@ -55,8 +55,8 @@ namespace VolumeHaptics
  */
 struct PidFirmware
 {
-  bool IsKnown = false;       ///< whether the signs of both axes are known
-  double Sign = 1.0; ///< -1 if a force acts in its direction, 1 if it comes from it
+  bool IsKnown = false; ///< whether the signs of both axes are known
+  double Sign = 1.0;    ///< -1 if a force acts in its direction, 1 if it comes from it
   /// whether a direction is a fraction of the force on the axis whose bit is set
   bool HasShares = false;
   const char* Objection = ""; ///< reason why no axis can be driven; empty if one can
@@ -136,7 +136,7 @@ private:
 
   std::optional<PidDialogue> Dialogue;
   std::optional<PidStream> Stream; ///< exists when the dialogue is complete
-  HidStick::State State; ///< an axis that was not reported yet is NaN
+  HidStick::State State;           ///< an axis that was not reported yet is NaN
   bool IsReady = false;
   std::array<std::uint8_t, LongestReport> LastPacket{};
   int LastSize = 0;

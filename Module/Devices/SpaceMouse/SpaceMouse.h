@@ -31,7 +31,7 @@ public:
   struct State
   {
     std::array<double, 6> Axes{}; ///< x, y, z, about x, about y, about z: -1 to 1
-    std::uint32_t Buttons = 0; ///< the first 32 buttons; bit 0 is button 1
+    std::uint32_t Buttons = 0;    ///< the first 32 buttons; bit 0 is button 1
   };
 
   /**

@@ -73,9 +73,9 @@ const VolumeHapticsVendorPlugin* LoadTable(const std::string& real, std::string&
 
 constexpr int VendorRoundPause = 1; // longest time between two rounds (ms)
 constexpr int VendorLostPause = 10; // ms
-constexpr double Farthest = 10.; // distance (m) above which a position is invalid
+constexpr double Farthest = 10.;    // distance (m) above which a position is invalid
 constexpr std::uint32_t AllAxes = 7;
-constexpr double PeakFade = 2.5; // time (s) in which a force fades to the continuous force
+constexpr double PeakFade = 2.5;    // time (s) in which a force fades to the continuous force
 constexpr double LongestStep = 0.1; // longest time (s) between two forces that counts
 
 bool IsLimit(double limit)

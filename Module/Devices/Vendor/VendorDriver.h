@@ -146,10 +146,10 @@ private:
   bool Lost = false;
   bool Gone = false;
   bool IsReady = false;
-  double PeakTime = 0.0; // s
-  double Spent = 0.0; // time (s) above the continuous force, minus the time below
+  double PeakTime = 0.0;      // s
+  double Spent = 0.0;         // time (s) above the continuous force, minus the time below
   std::int64_t WrittenAt = 0; // ns
-  bool IsFading = false; // whether the fading of the force was reported to the user
+  bool IsFading = false;      // whether the fading of the force was reported to the user
   // reason why a ready device had to wait; empty once it has a force again
   std::string Interruption;
 };

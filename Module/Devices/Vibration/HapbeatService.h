@@ -25,7 +25,7 @@ class HapbeatService final : public VibrationService
 public:
   static constexpr double Frequency = 100.0; ///< Hz
   static constexpr int Chunk = 256;          ///< samples in a packet, 16 ms
-  static constexpr int Lead = 3 * Chunk; ///< samples that are buffered in the device
+  static constexpr int Lead = 3 * Chunk;     ///< samples that are buffered in the device
   /**
    * Time (s) between pings, and time (s) without an answer after which the device counts as gone.
    */

@@ -54,7 +54,7 @@ constexpr char WeartSeparator = '~';
 struct WeartStatus
 {
   std::string Status;             ///< such as "RUNNING"
-  bool IsActuating = true; ///< whether the middleware forwards effects
+  bool IsActuating = true;        ///< whether the middleware forwards effects
   std::vector<std::string> Hands; ///< "LEFT" and "RIGHT", if that hand has a device
 };
 /** Reads a status of the middleware or of the WeArt app. Returns false for any other text. */

@@ -36,7 +36,7 @@ public:
 private:
   const std::unique_ptr<DeviceBackend> Shower;
   // Members that only the servo uses.
-  DeviceSample Shown; ///< last sample of the second back end
+  DeviceSample Shown;   ///< last sample of the second back end
   double Silence = 0.0; ///< time (s) since the second back end last responded
 };
 

@@ -22,7 +22,7 @@ public:
   {
     Ready,
     Waiting, ///< connected, but can't vibrate yet: GetText() returns what is required
-    Gone ///< disconnected: GetText() returns the reason and the cure
+    Gone     ///< disconnected: GetText() returns the reason and the cure
   };
 
   VibrationService() = default;

@@ -51,7 +51,7 @@ private:
   LineSocket Middleware{ WeartSeparator };
   WeartStatus Status;
   bool IsStarter = false; ///< whether this session has started the middleware
-  int Sent = 0; ///< last volume sent
+  int Sent = 0;           ///< last volume sent
   std::int64_t SentAt = 0;
   std::int64_t AskedAt = 0; ///< time of the last status request
   std::string Text;

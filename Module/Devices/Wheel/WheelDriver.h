@@ -31,8 +31,8 @@ std::vector<EvdevNode> ListWheels();
 class WheelDriver final : public HardwareDriver
 {
 public:
-  static constexpr double Travel = 0.05; ///< position of the tip (m) at the end of the axis
-  static constexpr double FastestWheel = 5.0; ///< m/s, as in PidDriver
+  static constexpr double Travel = 0.05;       ///< position of the tip (m) at the end of the axis
+  static constexpr double FastestWheel = 5.0;  ///< m/s, as in PidDriver
   static constexpr int ReplayLength = 100;     ///< ms
   static constexpr double RenewTime = 0.01;    ///< s
   static constexpr double ShortestTime = 4e-3; ///< shortest time (s) between two nonzero forces
@@ -87,7 +87,7 @@ private:
   EvdevNode Info; ///< the wheel that was connected last
   int Node = -1;
   int Effect = -1; ///< number of the effect in the kernel; -1 if there is none yet
-  int Level = 0; ///< last level sent
+  int Level = 0;   ///< last level sent
   std::int64_t SentAt = 0;
   int Value = 0; ///< value of the axis
   int Least = 0;

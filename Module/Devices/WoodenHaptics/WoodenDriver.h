@@ -60,9 +60,9 @@ public:
 private:
   enum class Phase : std::uint8_t
   {
-    Consent, ///< sends nothing, and waits until the user confirms the device with Home()
-    Asking, ///< waits for the first packet
-    Waiting, ///< waits until the user has moved the arm to its rest pose and requests homing
+    Consent,    ///< sends nothing, and waits until the user confirms the device with Home()
+    Asking,     ///< waits for the first packet
+    Waiting,    ///< waits until the user has moved the arm to its rest pose and requests homing
     Presetting, ///< waits until the counts are those of the rest pose
     Ready
   };

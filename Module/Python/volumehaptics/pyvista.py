@@ -13,8 +13,8 @@
     add_haptics(plotter, plotter.add_volume(head), "CT contrast")
     plotter.show()                                   # press t with the pointer on the volume
 
-    plotter.add_volume(beats[0])  # or a list of images: the frames of a moving volume
-    add_haptics(plotter, beats, [0.0, 0.1, 0.2])  # with the frames' times (s), the volume plays
+    plotter.add_volume(beats[0])                     # or images in a list, the frames of a volume that moves
+    add_haptics(plotter, beats, [0.0, 0.1, 0.2])     # and their times (s): it plays
 
 Needs PyVista 0.47 or later, which `import volumehaptics` alone does not: pip install pyvista.
 """

@@ -6,7 +6,7 @@
 
     haptics = add_haptics(plotter, plotter.add_volume(head), "CT contrast")
     plotter.show(jupyter_backend="haptics")          # in a notebook, or: await volumehaptics.web.show(haptics)
-    volumehaptics.web.serve(haptics)  # in a script; don't show the plotter before
+    volumehaptics.web.serve(haptics)                 # in a script; the plotter is not shown before
 
 The servo runs beside the server at its own rate: the connection to the browser delays pictures and the mouse, but never
 the force. If the leading page closes or is hidden, or does not answer for 3 s, the touch ends.

@@ -58,8 +58,8 @@ struct FakeForceDimensionState
   unsigned Buttons = 0;
   std::array<std::array<double, 3>, 3> Frame{ { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } } };
   EmulatedHand Hand;
-  Triple Force{};                 ///< N, force set last
-  Triple Torque{};                ///< N m, torque set last
+  Triple Force{};           ///< N, force set last
+  Triple Torque{};          ///< N m, torque set last
   int ForcesBeforeZero = 0; ///< number of nonzero forces before the zero was known
   /// names of the calls, without reads and repeated writes of the same force
   std::vector<std::string> Calls;

@@ -61,15 +61,15 @@ struct FakeOpenHapticsState : FakeArm
   unsigned Calibration = 301;    ///< HD_CALIBRATION_OK
   int Styles = 5;                ///< bits of the ways to calibrate the device; here those of a
                                  ///< Touch
-  std::string Name; ///< name of the only device; empty: the default device
+  std::string Name;              ///< name of the only device; empty: the default device
   double ContinuousForce = 0.88; ///< N; 0: unknown to the library
   int Buttons = 0;
   bool TellsNonsense = false;
   /// Orientation of the stylus: the three columns of a rotation matrix.
   std::array<double, 9> Turn{ 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  int ForcesBeforeZero = 0;       ///< number of forces in frames before the zero was known
-  int ForcesAtTheEnd = 0;         ///< number of times that the scheduler stopped while any arm had
-                                  ///< force
+  int ForcesBeforeZero = 0; ///< number of forces in frames before the zero was known
+  int ForcesAtTheEnd = 0;   ///< number of times that the scheduler stopped while any arm had
+                            ///< force
   /// N, largest decrease of the first arm's upward force between two frames
   double LargestFall = 0.0;
   std::vector<std::string> Calls; ///< names of the calls outside frames

@@ -13,7 +13,7 @@ enum class VolumeKind
 {
   CT,       // Hounsfield units
   EightBit, // 0..255, most often MRI
-  Field, // values of a simulation, without tissues
+  Field,    // values of a simulation, without tissues
   Labels,   // label numbers
   Other
 };
@@ -27,7 +27,7 @@ struct Analysis
   double High = 1;
   double OuterThreshold = 0;      // value between outside and body
   double DeepThreshold = 0;       // value between the body and the denser structure inside it
-  bool IsDark = false; // whether the touched body has values below the outer threshold
+  bool IsDark = false;            // whether the touched body has values below the outer threshold
   double Centre[3] = { 0, 0, 0 }; // centre of the voxels above the outer threshold, world units
   double BodyBounds[6] = { 0, 1, 0, 1, 0, 1 }; // bounds of these voxels, world units
   double MetersPerWorldUnit = 0.001;

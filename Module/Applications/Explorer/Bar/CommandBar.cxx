@@ -24,7 +24,7 @@ namespace
 using Explore::RGB;
 
 constexpr RGB GROUND{ 0.09, 0.11, 0.15 }; // background of bar and menus
-constexpr RGB LIT{ 0.19, 0.23, 0.31 }; // background of the item under the pointer
+constexpr RGB LIT{ 0.19, 0.23, 0.31 };    // background of the item under the pointer
 constexpr RGB CHOSEN{ 0.16, 0.36, 0.60 }; // background of commands that are switched on
 constexpr RGB INK{ 0.90, 0.92, 0.95 };
 constexpr RGB FAINT{ 0.58, 0.63, 0.70 };
@@ -33,14 +33,14 @@ constexpr RGB RED{ 0.95, 0.35, 0.32 };
 constexpr RGB TITLE{ 1.0, 0.78, 0.35 };
 
 // Lengths in points.
-constexpr double BUTTON = 32.0; // height of a button without a label, and its minimum width
+constexpr double BUTTON = 32.0;   // height of a button without a label, and its minimum width
 constexpr double SMALLEST = 18.0; // minimum width of a button in a small window
 constexpr double ICON = 20.0;
 constexpr double LABEL_LETTERS = 8.0;
 constexpr double LABEL_HEIGHT = 11.0;
-constexpr double LABEL_GAP = 5.0; // margin on both sides of a label
+constexpr double LABEL_GAP = 5.0;   // margin on both sides of a label
 constexpr double GAP = 8.0;         // between groups of buttons
-constexpr double PADDING = 8.0; // margin around a menu and a hint
+constexpr double PADDING = 8.0;     // margin around a menu and a hint
 constexpr int LARGEST_LETTERS = 11; // largest font size of menus
 constexpr int SMALLEST_LETTERS = 7;
 constexpr float BAR_PRIORITY = 20.0f; // receives events before everything else in the window

@@ -50,7 +50,7 @@ struct Background
 {
   double Noise = 0.0;
   double Threshold = 0.0; ///< upper limit of values that are not solid
-  double Full = 0.0; ///< lower limit of solid values; unknown if it is at most Threshold
+  double Full = 0.0;      ///< lower limit of solid values; unknown if it is at most Threshold
 };
 
 Background FindBackground(vtkImageData* image)

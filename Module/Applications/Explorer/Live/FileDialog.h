@@ -40,8 +40,8 @@ private:
   void Read();
   void Close();
 
-  int Process = -1; // process id; -1: no dialog is open
-  int Pipe = -1; // read end of the pipe from the dialog's program
+  int Process = -1;   // process id; -1: no dialog is open
+  int Pipe = -1;      // read end of the pipe from the dialog's program
   std::string Output; // output of the dialog's program
   Clock::time_point Begin;
   Clock::time_point Seen; // when the program was last known to run

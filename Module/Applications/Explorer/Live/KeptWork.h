@@ -49,7 +49,7 @@ private:
   SavedMeasurements& Measurements;
   HandTool& Tool;
   LookSwitch& Look;
-  std::string Folder;            ///< folder of this volume's work without its number; empty: none
+  std::string Folder; ///< folder of this volume's work without its number; empty: none
   /// folder of the offered work; empty if none is offered, or if it has been restored
   std::string Offered;
   std::string Brought;           ///< folder of the restored work

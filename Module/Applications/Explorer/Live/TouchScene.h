@@ -82,9 +82,9 @@ struct WindowPlace
 struct FileChoice
 {
   std::string Path;
-  int Series = 0;            // see LoadVolumes
-  bool AsLabels = false;     // whether the values are shown as labels
-  WindowPlace Place = {};    // place of the window in which the file was chosen
+  int Series = 0;         // see LoadVolumes
+  bool AsLabels = false;  // whether the values are shown as labels
+  WindowPlace Place = {}; // place of the window in which the file was chosen
   // whether the volume consists of several files, of which this is the first
   bool HasMoreFiles = false;
 };
@@ -101,9 +101,9 @@ struct WindowOptions
   std::string Tool;   // "needle", "burr", a file, or empty for a point
   std::string Replay; // file of a recorded touch to show
   FileChoice File;
-  std::string Notice; // notice shown when the window opens
-  bool BringBack = false; // whether to restore unsaved work (KeptWork.h)
-  OpenDevices Devices; // devices that were opened before the volume was read
+  std::string Notice;              // notice shown when the window opens
+  bool BringBack = false;          // whether to restore unsaved work (KeptWork.h)
+  OpenDevices Devices;             // devices that were opened before the volume was read
   vtkSmartPointer<vtkCamera> View; // initial camera; null: the whole volume is shown
 };
 

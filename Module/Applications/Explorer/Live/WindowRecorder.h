@@ -63,8 +63,8 @@ private:
   };
   std::vector<EndedMovie> Ended; ///< movies whose threads may still write
   std::string MovieName;
-  std::string TouchName; ///< name of the current touch recording
-  bool RecordsSecond = false; ///< whether the second hand is also recorded
+  std::string TouchName;                       ///< name of the current touch recording
+  bool RecordsSecond = false;                  ///< whether the second hand is also recorded
   std::chrono::steady_clock::time_point Begin; ///< when the movie began
   int Filmed = 0;                              ///< number of pictures in the movie so far
   int Size[2] = { 0, 0 };

@@ -15,7 +15,7 @@ namespace
 using Explore::SurfaceMap;
 
 // The hand's movements, in metres, seconds and degrees.
-constexpr double HOVER = 0.015; // height above the surface at the beginning and the end
+constexpr double HOVER = 0.015;        // height above the surface at the beginning and the end
 constexpr double OUTER_PRESS = 0.0025; // depth below the outer surface
 constexpr double DEEP_PRESS = 0.0015;  // depth below the deep surface
 constexpr double TOP_SPEED = 0.1;

@@ -71,7 +71,7 @@ private:
   bool HasBegun = false;
   std::chrono::steady_clock::time_point Begin;
   const DemoEvent* Stroke = nullptr; ///< current stroke; null: none
-  double From[2] = { 0.5, 0.5 }; ///< position at the start of the stroke
+  double From[2] = { 0.5, 0.5 };     ///< position at the start of the stroke
   double At[2] = { 0.5, 0.5 };       ///< position of the mouse
   vtkNew<vtkCallbackCommand> TimerObserver;
 };

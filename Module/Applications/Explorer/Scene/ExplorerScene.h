@@ -35,7 +35,7 @@ struct SceneOptions
   // whether the marker shows letters for the patient's sides instead of axes
   bool Anatomical = true;
   bool OffScreen = true;
-  double SliceShare = 0.0; // fraction of the width for slices beside the scene; 0: hidden
+  double SliceShare = 0.0;     // fraction of the width for slices beside the scene; 0: hidden
   CutKind Cut = CutKind::None; // initial cut in the window
   bool Interactive = false;    // whether this is a window for touching, without the trail
 };
@@ -47,7 +47,7 @@ struct ExplorerScene
   vtkSmartPointer<vtkRenderWindow> Window = vtkSmartPointer<vtkRenderWindow>::New();
   vtkNew<vtkRenderer> Renderer; // volume and trail
   vtkNew<vtkRenderer> Overlay;  // hidden parts of the trail, drawn with the same camera
-  vtkNew<vtkRenderer> Marker; // occluded parts of the trail, drawn with the same camera
+  vtkNew<vtkRenderer> Marker;   // occluded parts of the trail, drawn with the same camera
   vtkNew<vtkVolume> Volume;
   vtkNew<vtkVolumeProperty> Look;
   std::string MapperName;

@@ -26,7 +26,7 @@ enum class CutKind
 {
   None,
   Plane, // removes everything in front of it
-  Box // removes a box from the volume, along the axes of its voxels
+  Box    // removes a box from the volume, along the axes of its voxels
 };
 
 /// Cuts a volume open: the removed part is neither seen nor felt. Planes and boxes have handles,

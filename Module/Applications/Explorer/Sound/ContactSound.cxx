@@ -22,7 +22,7 @@ constexpr double LOUDEST_NOISE = 0.15; // root mean square
 constexpr double MIDDLE_POWER = 0.02;  // W
 constexpr double SILENT_POWER = 1e-6;  // W
 constexpr double POWER_TIME = 0.02;    // s
-constexpr double LEVEL_TIME = 0.005; // shortest time (s) in which the noise rises from 0 to 1
+constexpr double LEVEL_TIME = 0.005;   // shortest time (s) in which the noise rises from 0 to 1
 constexpr double LOUDEST_CLICK = 0.6;
 constexpr double MIDDLE_IMPACT = 0.1;  // N
 constexpr double IMPACT_TIME = 0.005;  // s
@@ -34,8 +34,8 @@ constexpr double LOUDEST_BURST = 0.25; // root mean square
 constexpr double BURST_TIME = 0.025;   // s
 // fraction of full scale below which samples become 0; less than half a step of 16 bits
 constexpr double INAUDIBLE = 1e-5;
-constexpr double LARGEST = 1e9; // largest accepted magnitude of a number in a tick
-constexpr double LONGEST_STEP = 0.1; // s, longest time between ticks that counts
+constexpr double LARGEST = 1e9;              // largest accepted magnitude of a number in a tick
+constexpr double LONGEST_STEP = 0.1;         // s, longest time between ticks that counts
 constexpr double WHITE_VARIANCE = 1.0 / 3.0; // variance of a uniform random number between -1 and 1
 
 double Saturate(double x, double middle)

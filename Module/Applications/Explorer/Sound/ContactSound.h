@@ -78,7 +78,7 @@ private:
 
   // Updated once per tick.
   double Power[2] = { 0.0, 0.0 }; // W, output of the first and the second low-pass
-  double Burst = 0.0; // root mean square of the noise of a puncture
+  double Burst = 0.0;             // root mean square of the noise of a puncture
   double FreeTime = 0.0;          // s without contact
   // time (s) since the first touch, while its impact is measured; otherwise negative
   double TouchTime = -1.0;
@@ -88,9 +88,9 @@ private:
   double Pitch; // Hz, the pitch of the last surface
 
   // Updated once per sample.
-  double Level = 0.0; // root mean square of the noise
+  double Level = 0.0;  // root mean square of the noise
   double Wanted = 0.0; // target that Level approaches
-  double MostStep; // largest change of Level per sample
+  double MostStep;     // largest change of Level per sample
   std::uint32_t Seed = 0x9e3779b9u;
   struct BandPass
   {

@@ -12,10 +12,10 @@ constexpr std::size_t CAPACITY = 4096;   // number of ticks
 constexpr double STEP = 0.001;           // s between polls for ticks
 constexpr double MOST_BACKLOG = 0.3;     // s
 constexpr double LONGEST_STARVED = 0.05; // s
-constexpr double GAIN_TIME = 0.01; // s in which the sound fades in from silence
+constexpr double GAIN_TIME = 0.01;       // s in which the sound fades in from silence
 // s, period in which the least backlog is searched; longer than any burst
 constexpr double WINDOW = 1.0;
-constexpr double SPARE_BACKLOG = 0.02;   // s
+constexpr double SPARE_BACKLOG = 0.02; // s
 constexpr double FASTER = 1.05;
 } // namespace
 

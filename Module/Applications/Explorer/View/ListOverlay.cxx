@@ -16,7 +16,7 @@ constexpr std::size_t WIDEST_LINE = 68; // characters in a line
 constexpr int LINES_BEFORE = 2;         // the title, and an empty line
 constexpr int LINES_AFTER = 2;          // an empty line, and the keys
 constexpr double LIST_LEFT = 0.08;      // left margin, as a fraction of the viewport
-constexpr int LEAST_LETTERS = 6; // smallest font size (points)
+constexpr int LEAST_LETTERS = 6;        // smallest font size (points)
 constexpr double LIST_OPACITY = 0.85;   // opacity of the background behind the text
 
 /// Shortens a long line by removing its middle, which is the least informative part.

@@ -10,7 +10,7 @@
 
 namespace
 {
-constexpr double AZIMUTH = 38.0; // degrees, angle from the front to the left side
+constexpr double AZIMUTH = 38.0;   // degrees, angle from the front to the left side
 constexpr double ELEVATION = 20.0; // degrees above the horizon
 
 vtkVector3d ParseAxis(const std::string& option, const std::string& text)

@@ -20,8 +20,8 @@ struct ViewFrame
 {
   vtkVector3d Centre; // focal point of the camera (world)
   vtkVector3d Toward; // unit vector from the centre to the camera
-  vtkVector3d Right; // unit vector to the right of the picture
-  vtkVector3d Up; // unit vector to the top of the picture
+  vtkVector3d Right;  // unit vector to the right of the picture
+  vtkVector3d Up;     // unit vector to the top of the picture
 
   /// Returns the unit direction that is `right` and `up` degrees away from the direction to the
   /// camera.

@@ -46,7 +46,7 @@ struct HidField
   bool IsSigned = false;
   std::uint32_t BitOffset = 0; ///< index of the first bit in the payload
   HidUsage Usage = 0;          ///< usage; for an array, its first usage
-  int Collection = -1; ///< index of the innermost collection in the descriptor; -1 if none
+  int Collection = -1;         ///< index of the innermost collection in the descriptor; -1 if none
 
   ///@{
   /**

@@ -28,7 +28,7 @@ struct HidCollection
 {
   HidUsage Usage = 0;    ///< 0 if the collection has no usage
   std::uint8_t Type = 0; ///< 0 for physical, 1 for application, 2 for logical, and so on
-  int Parent = -1; ///< index in the list of collections; -1 if none
+  int Parent = -1;       ///< index in the list of collections; -1 if none
 };
 
 /** A range of consecutive usages on a page. */

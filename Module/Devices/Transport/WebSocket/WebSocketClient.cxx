@@ -253,8 +253,8 @@ private:
   beast::tcp_stream Tcp;
   bool HasFrames = false;
   std::uint64_t FrameLeft = 0; // remaining bytes of the frame that is being written
-  std::int64_t NextPong = 0; // earliest time of the next pong (ServoClock)
-  std::string LastWord; // a complete frame
+  std::int64_t NextPong = 0;   // earliest time of the next pong (ServoClock)
+  std::string LastWord;        // a complete frame
 };
 
 } // namespace

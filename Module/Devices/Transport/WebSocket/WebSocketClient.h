@@ -33,7 +33,7 @@ public:
   {
     Message,
     Nothing, ///< no message arrived in time
-    Closed ///< the connection was closed by the service or because of an error
+    Closed   ///< the connection was closed by the service or because of an error
   };
 
   WebSocketClient();
