@@ -317,7 +317,7 @@ void Disable(Device* device)
   delete device;
 }
 
-// Reads the limits of the current device.
+// Reads the limits of libHD's current device.
 void ReadLimits(Device& device)
 {
   VolumeHapticsVendorLimits& limits = device.Limits;

@@ -36,7 +36,7 @@ public:
    */
   static bool IsMoving(vtkSMSourceProxy* volume, unsigned int port, vtkVolumeHapticsFilter* filter);
 
-  /** Begins a new volume with an image at a time. */
+  /** Begins a new volume, with the image at `time` as its first time step. */
   void Begin(
     vtkImageData* image, double time, vtkVolumeHapticsFilter* filter, vtkHapticDevice* device);
   /** Moves the servo from one image to another image with another time. */

@@ -45,7 +45,7 @@ private:
   struct Transfer
   {
     std::uint32_t Number;
-    std::uint8_t Endpoint; ///< number of the endpoint
+    std::uint8_t Endpoint; ///< address of the endpoint, in which bit 7 stands for IN
     Bytes Data;            ///< bytes to send, or a buffer of the requested size
   };
 

@@ -74,7 +74,7 @@ double SecondsSince(Clock::time_point start)
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// A handle that is held by a spring.
+/// The device's handle, which a simulated spring holds. Its fixed end can be shifted.
 class HeldHandle
 {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** A sample of a held handle. */
+/** A sample of a handle that a spring holds, the input of the measurements. */
 #ifndef HeldSample_h
 #define HeldSample_h
 

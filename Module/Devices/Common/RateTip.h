@@ -35,7 +35,7 @@ public:
     std::uint32_t buttons) noexcept;
 
 private:
-  DeviceSample Told; ///< the last sample
+  DeviceSample Told; ///< last reported sample
   std::int64_t LastRound = 0;
 };
 

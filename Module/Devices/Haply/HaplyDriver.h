@@ -125,7 +125,7 @@ private:
   WebSocketClient Events;
   bool HasEvents = false; ///< whether the end of the event channel still has to be reported
 
-  HaplyMessage Message; ///< the last message
+  HaplyMessage Message; ///< last message, parsed
   std::string Text;
   std::string Newest; ///< text of the newest state
   bool IsLost = false;

@@ -48,8 +48,8 @@ struct HfabGeometry
 {
   const char* Name;
   bool IsLinkage;
-  std::array<double, 3> Capstan;        ///< diameters of the capstans on the motors (m)
-  std::array<double, 3> Body;           ///< diameters of the drums on the joints (m)
+  std::array<double, 3> Capstan;        ///< diameters at the motors (m)
+  std::array<double, 3> Body;           ///< diameters at the joints (m)
   std::array<double, 3> Lengths;        ///< lengths of a serial arm in m: base, upper arm, forearm
   Vector3 Origin;                       ///< origin of the tip's position (m)
   std::array<double, 3> TorqueConstant; ///< in N m/A

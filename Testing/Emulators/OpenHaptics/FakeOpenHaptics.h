@@ -45,7 +45,7 @@ struct FakeArm
   Triple Force{};               ///< N, force of the last frame
   Triple Torque{};              ///< mN m, torque of the last frame
   ///@{
-  /// Force and torque set in the current frame.
+  /// Force and torque set in the current frame. hdEndFrame() sends them.
   Triple FrameForce{};
   Triple FrameTorque{};
   ///@}

@@ -286,7 +286,7 @@ void FitThresholds(vtkHapticProperty* property, Analysis& analysis)
   vtkTable* const boundaries = property->GetProposedBoundaries();
   if (analysis.Kind == VolumeKind::CT || !boundaries)
   {
-    return; // the values of a CT, a field or labels have a fixed meaning
+    return; // the thresholds of a CT are fixed, and without boundaries nothing was proposed
   }
   const auto column = [&](const char* name)
   { return vtkDataArray::SafeDownCast(boundaries->GetColumnByName(name)); };

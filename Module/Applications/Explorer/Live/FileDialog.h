@@ -23,7 +23,7 @@ public:
   };
 
   FileDialog() = default;
-  /// Closes an open dialog.
+  /// Kills the dialog's program if it is still running.
   ~FileDialog() { this->Close(); }
   FileDialog(const FileDialog&) = delete;
   FileDialog& operator=(const FileDialog&) = delete;

@@ -51,7 +51,8 @@ private:
   double Begin = 0.0, End = 0.0; ///< first and last time of the recording (s)
   double Now = 0.0;              ///< shown time (s)
   bool IsPlaying = false;
-  std::chrono::steady_clock::time_point Played; ///< clock time at which the shown time was set
+  std::chrono::steady_clock::time_point
+    Played; ///< when Now was last updated, on the computer's clock
 
   vtkNew<vtkActor> Way;
   vtkNew<vtkSphereSource> Proxy;

@@ -84,7 +84,7 @@ struct FileChoice
   std::string Path;
   int Series = 0;         // see LoadVolumes
   bool AsLabels = false;  // whether the values are shown as labels
-  WindowPlace Place = {}; // place of the window in which the file was chosen
+  WindowPlace Place = {}; // state of the window in which the file was chosen
   // whether the volume consists of several files, of which this is the first
   bool HasMoreFiles = false;
 };

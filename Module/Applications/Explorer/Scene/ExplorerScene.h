@@ -53,7 +53,6 @@ struct ExplorerScene
   std::string MapperName;
 };
 
-/// Builds all parts of the scene.
 void BuildScene(ExplorerScene& scene, const Exploration& exploration, const SceneOptions& options);
 } // namespace Explore
 

@@ -11,7 +11,7 @@ namespace VolumeHaptics
 
 std::vector<int> UsbPathOf(libusb_device* device)
 {
-  std::uint8_t ports[7]; // USB's largest number of hubs
+  std::uint8_t ports[7]; // USB has at most seven tiers
   const int count = libusb_get_port_numbers(device, ports, static_cast<int>(std::size(ports)));
   std::vector<int> path{ libusb_get_bus_number(device) };
   path.insert(path.end(), ports, ports + std::max(count, 0));
