@@ -19,11 +19,9 @@
  *
  * Loader and answers, as libnifalcon (commit f7c727a) handles them:
  * - setFirmwareMode() in src/comm/FalconCommLibUSB.cpp accepts the greeting's answer with and
- * without
- *   a leading 0x00, and greets up to 100 times.
+ *   without a leading 0x00, and greets up to 100 times.
  * - nifalcon_load_firmware() in boneyard/c_driver/nifalcon_ftd2xx.c (commit 28347c2) expects 13 41
- * as
- *   the first answer to 41, and 41 alone as later answers.
+ *   as the first answer to 41, and 41 alone as later answers.
  * - openDevice() in src/util/FalconCLIBase.cpp tries ten times to load. Between two attempts, it
  *   "completely" closes the device and opens it again: a loader may be stuck until then, or a load
  *   may fail by a wrong echo or no echo.

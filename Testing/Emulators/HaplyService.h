@@ -12,8 +12,7 @@
  * - service/commons/types: units; service/commons/basis: right, forward, up;
  * - service/commons/mount-and-workspace: presets and their origins;
  * - service/session-configuration/device-config: a preset is set as {"preset":{"preset":NAME}}, and
- * is
- *   a string in the inventory's "config";
+ *   is a string in the inventory's "config";
  * - service/session-configuration/sessions: profile. The Hub applies its changes to a session of a
  *   profile again to the next session;
  * - service/events and service/api/events; service/api/http: version, envelope;

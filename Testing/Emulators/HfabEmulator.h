@@ -13,10 +13,8 @@
  * - A current beyond the amplifiers' limit counts as zero for that motor alone.
  * - Its button sets all counts to 0, as power-on does.
  * - With the switch calibration_needed, it keeps the amplifiers off until its button is pressed.
- * Until
- *   then, it answers with a slow sine as the first count, and with the current requested of the
- * first
- *   motor as the second count.
+ *   Until then, it answers with a slow sine as the first count, and with the requested current of
+ *   the first motor as the second count.
  *
  * The arm is that of the published host, forsslund/hfabapi (commit cf00e97): tables of hfab_math.h,
  * positions of hfab_kinematics.cpp, and Polhem's linkage by the three angles of hfab_polhem.h.

@@ -9,12 +9,10 @@
  *   reports, with a vendor's fields of 64 bits, and with two bits of the range 0 to 0 in the
  *   descriptor of one axis;
  * - UserExtensions/Src/FFBWheel.cpp and FFBJoystick.cpp: a wheel has the descriptor of two axes,
- * too,
- *   unless it was built with FFBWHEEL_USE_1AXIS_DESC. In both cases, it reads bit 2 as Direction
- *   Enable, although the descriptor of one axis says bit 1;
+ *   too, unless it was built with FFBWHEEL_USE_1AXIS_DESC. In both cases, it reads bit 2 as
+ *   Direction Enable, although the descriptor of one axis says bit 1;
  * - UserExtensions/Src/usb_descriptors.cpp: names and numbers. Since version 1.16.5, the board's
- * name
- *   follows "FFBoard ";
+ *   name follows "FFBoard ";
  * - Src/HidFFB.cpp: the effects of the reports; Src/EffectsCalculator.cpp: their torques;
  * - UserExtensions/Src/FFBHIDMain.cpp: a report is sent when something is new, or after 100 ms.
  *

@@ -8,9 +8,8 @@
  * - linux/input.h: structures and requests; ff.rst and gamepad.rst of the kernel's documentation;
  * - drivers/input/ff-core.c: the owners of effects; closing a file removes its effects;
  * - drivers/input/ff-memless.c: when effects begin, end and add up. An effect that is changed while
- * it
- *   plays does not count as playing until the timer's next tick. If it is stopped before that tick,
- *   the motors stay on;
+ *   it plays does not count as playing until the timer's next tick. If it is stopped before that
+ *   tick, the motors stay on;
  * - drivers/input/evdev.c: grabs and lost events;
  * - drivers/input/joystick/xpad.c and drivers/hid/hid-playstation.c: the axes.
  * A jiffy is 4 ms, as in Debian's kernels.

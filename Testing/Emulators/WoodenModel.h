@@ -9,7 +9,7 @@
  * forsslund/haptikfabrikenapi, firmware/main.cpp, commit a72d87e):
  * - After power-on, all counts are 0.
  * - `info` is the flag of the calibration button: 0 until the button is pressed. Command 1 clears
- * it.
+ *   it.
  * - Command 1 sets the first three counts to the attributes, and the other counts to the currents,
  *   while no current flows.
  * - The firmware processes only the last of several waiting packets, and answers each processed
