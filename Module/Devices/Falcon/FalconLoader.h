@@ -72,7 +72,7 @@ struct FalconLoaderStep
 class FalconLoader
 {
 public:
-  /** Starts the protocol. The image must stay in memory. */
+  /** Begins with the first step. The image must stay in memory until the last step. */
   FalconLoader(const std::uint8_t* image, std::size_t size) noexcept;
 
   FalconLoaderStep GetStep() const noexcept;

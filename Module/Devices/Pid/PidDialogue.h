@@ -5,14 +5,14 @@
  * The sequence of messages between the host and a force-feedback stick or wheel, without a
  * transport.
  *
- * PidDialogue makes the device ready: it resets it twice, stops all effects, enables the actuators,
- * reads the pool until the device has filled it in, and sets full gain. Then it makes the constant
- * effects (PidDevice::GetNumberOfEffects): it creates one, waits for its block, sets it with a
- * short duration and without a force, and starts it. If the first effect gets the second block, the
- * first block contains the device's own centring spring, which is stopped (Linux' hid-pidff.c
- * detects the spring in the same way). Afterwards PidStream makes the reports. An effect ends by
- * itself after its duration unless it is restarted, so the device's force becomes zero if the host
- * stops.
+ * PidDialogue makes the device ready: it resets the device twice, stops all effects, enables the
+ * actuators, reads the pool until the device has filled it in, and sets full gain. Then it makes
+ * the constant effects (PidDevice::GetNumberOfEffects): it creates one, waits for its block, sets
+ * it with a short duration and without a force, and starts it. If the first effect gets the second
+ * block, the first block contains the device's own centring spring, which is stopped (Linux'
+ * hid-pidff.c detects the spring in the same way). Afterwards PidStream makes the reports. An
+ * effect ends by itself after its duration unless it is restarted, so the device's force becomes
+ * zero if the host stops.
  */
 #ifndef PidDialogue_h
 #define PidDialogue_h
