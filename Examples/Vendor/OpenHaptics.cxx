@@ -16,8 +16,8 @@
 // Device", or "Default PHANToM"; $VOLUMEHAPTICS_OPENHAPTICS_DEVICES names others, separated by
 // commas, as vendor:openhaptics:1 and so on. Several devices can be open, and one callback serves
 // them all. The scheduler stops while a device is opened or closed, because libHD accepts devices
-// only before its scheduler starts. The force of the other devices fades out first, and they have
-// to be armed again afterwards.
+// only before its scheduler starts. The forces of the other devices fade out first, and these
+// devices have to be armed again afterwards.
 #include <Devices/Vendor/VendorPlugin.h>
 
 #include "Latest.h"

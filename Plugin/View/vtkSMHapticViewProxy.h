@@ -6,12 +6,12 @@
  *
  * Exists only in the client. Its properties take effect with UpdateVTKObjects:
  *
- *   View        the render view
- *   Device      a `HapticDevice`
- *   SecondDevice      another device for the other hand, or none
- *   Attached    1: attach the device to the view; 0: detach it. Default 0
- *   TouchMode   1: the mouse moves the tip of a virtual device. Default 0
- *   SlicesFollowTip   1: the slices of Orthographic Slice Views follow the tip. Default 1
+ *   View             the render view
+ *   Device           a `HapticDevice`
+ *   SecondDevice     another device for the other hand, or none
+ *   Attached         1: attach the device to the view; 0: detach it. Default 0
+ *   TouchMode        1: the mouse moves the tip of a virtual device. Default 0
+ *   SlicesFollowTip  1: the slices of Orthographic Slice Views follow the tip. Default 1
  *
  *   link = servermanager.ProxyManager().NewProxy("misc", "HapticView")
  *

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file
- * A device that a guard communicates with: a small separate process, which outlives this one.
+ * A device behind a guard. The guard is a small separate process, which outlives this one.
  *
  * A device without a watchdog keeps exerting its last force if the program dies or is stopped.
  * Therefore the guard communicates with the device, and shares an exchange (HardwareExchange.h) in
