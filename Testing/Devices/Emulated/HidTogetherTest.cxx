@@ -34,7 +34,7 @@ public:
   using Pid::Options;
 };
 
-/// A six-axis mouse whose cap leads a tip without force.
+/// A six-axis mouse, whose cap moves a tip and exerts no force.
 struct MousePart
 {
   SpaceMouseModel Model{ SpaceMouseModel::Kind::Compact };

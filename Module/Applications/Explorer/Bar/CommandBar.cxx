@@ -184,7 +184,7 @@ void CommandBar::Dock()
     return;
   }
   this->MeasureLabels();
-  // The bar has labels if they fit.
+  // Show labels if they fit.
   float labelled = 2.0f * GAP;
   for (const float width : this->LabelWidths)
   {

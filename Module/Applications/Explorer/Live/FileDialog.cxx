@@ -108,8 +108,8 @@ FileDialog::State FileDialog::Poll(std::string& path)
   path = this->Output.substr(0, this->Output.find_last_not_of("\r\n") + 1);
   this->Close();
   const int code = ended > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  // The programs end with 1 if the user cancels, and also if they can't open a window. No user
-  // cancels so soon.
+  // The programs exit with 1 if the user cancels, but also if they can't open a window. In the
+  // latter case they end sooner than any user cancels.
   constexpr std::chrono::milliseconds soon(500);
   const bool isCancelled = code == 1 && this->Seen - this->Begin > soon;
   return code == 0 && !path.empty() ? State::Chosen

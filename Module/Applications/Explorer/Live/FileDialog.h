@@ -44,7 +44,7 @@ private:
   int Pipe = -1;      // read end of the pipe from the dialog's program
   std::string Output; // output of the dialog's program
   Clock::time_point Begin;
-  Clock::time_point Seen; // when the program was last known to run
+  Clock::time_point Seen; // last time at which the program was running
 };
 } // namespace Explore
 

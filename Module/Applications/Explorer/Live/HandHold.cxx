@@ -17,8 +17,8 @@ HandHold::HandHold(TouchScene& touch)
   touch.Commands.Add(this,
     { "Touch", "hold the hand where it is; go on", "f", [this] { this->Toggle(1); },
       [&touch] { return touch.Style->GetHoldClicks() == 1; }, isUsable });
-  // While Ctrl presses in depth, the key of a touching hand works, too. Neither this key nor the
-  // button has a line of its own in the menu.
+  // The key also works while Ctrl is held, which makes the hand press in depth. The menu shows no
+  // line for this key or for the button.
   touch.Commands.Add(this,
     { "", "hold", "Ctrl+f", [this] { this->Toggle(1); }, nullptr, isUsable, Icon::None,
       [&touch] { return touch.Style->GetTouchMode(); } });
