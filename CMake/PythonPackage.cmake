@@ -82,8 +82,12 @@ execute_process(
 if (no_generator OR VolumeHaptics_SANITIZE)
   message(STATUS "No type hints of the classes: they need vtkmodules.generate_pyi, and a build without sanitizers")
 else ()
+  set(preload)
+  if (SKBUILD) # the libraries beside the package are those of VTK only once it is installed
+    set(preload "import vtkmodules.all; ")
+  endif ()
   string(CONCAT generate
-    "import sys; sys.path.insert(0, sys.argv[1]); from vtkmodules import generate_pyi; "
+    "${preload}import sys; sys.path.insert(0, sys.argv[1]); from vtkmodules import generate_pyi; "
     "sys.exit(generate_pyi.main(['', '-p', 'volumehaptics', '-o', sys.argv[2], 'vtkVolumeHaptics']))")
   add_custom_command(
     OUTPUT  "${package}/vtkVolumeHaptics.pyi"

@@ -12,6 +12,8 @@ set(VolumeHaptics_PROGRAM_RPATH "$ORIGIN/..:$ORIGIN/../../vtkmodules")
 set(CMAKE_INSTALL_BINDIR volumehaptics/bin)
 set(CMAKE_INSTALL_LIBDIR volumehaptics)
 set(CMAKE_INSTALL_RPATH "$ORIGIN" "$ORIGIN/../vtkmodules")
+# Otherwise the linker computes the build's identifier from the build's folders, and leaves room for their names.
+set(CMAKE_BUILD_WITH_INSTALL_RPATH ON)
 set(VolumeHaptics_UDEV_DESTINATION volumehaptics/udev)
 
 # Licence notices, from the Debian packages, of the libraries that are header-only or that CMake/wheel/build.sh copies

@@ -12,6 +12,8 @@
 #   close      opens a plotter of PyVista and closes it, by Testing/Window/close.sh with the arguments
 #   host       touches a volume in another project's program, which ARGUMENT names, by Testing/Hosts/host.sh
 #   uninstall  removes the wheel; expects that nothing of it is left, and that nothing else is removed
+#   twice      builds the wheel of the last commit again in FOLDER/ENVIRONMENT, from a copy of the sources in another folder;
+#              expects the same bytes
 #
 # FOLDER is the result of CMake/wheel/build.sh. REFERENCE_BUILD is a build with the system's VTK; the wheel's traces
 # must equal its traces. Exits with 77 if there is no wheel of the present sources.
@@ -19,7 +21,7 @@ set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 case ${1:-} in
-  -h | --help) sed -n '5,19s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
+  -h | --help) sed -n '5,21s/^# \{0,1\}//p' "${BASH_SOURCE[0]}"; exit 0 ;;
 esac
 folder=$(realpath -m "$1")
 reference=$(realpath "$2")
@@ -83,6 +85,25 @@ case $step in
       echo "$(basename "$wheel") left or took the above" >&2
       exit 1
     fi
+    ;;
+  twice)
+    # The folder's name is longer, so that a path that is written into a file moves what follows it.
+    copy=$environment/a/copy/of/the/sources/in/a/folder/with/a/longer/name
+    rm -rf "${environment:?}"
+    mkdir -p "$environment/wheel"
+    git clone -q --no-hardlinks "$root" "$copy" || { echo "SKIPPED: $root is no clone of the repository"; exit 77; }
+    ln -s "$folder/sdk" "$environment/wheel/sdk"
+    status=0
+    "$copy/CMake/wheel/build.sh" "$environment/wheel" "$python" || status=$?
+    [[ $status -ne 3 ]] || exit 77
+    [[ $status -eq 0 ]] || exit "$status"
+    again=$environment/wheel/$(basename "$wheel")
+    if ! cmp "$wheel" "$again"; then
+      # Say which files differ.
+      diff <(unzip -v "$wheel" | sort -k 8) <(unzip -v "$again" | sort -k 8) || true
+      exit 1
+    fi
+    sha256sum "$wheel" "$again"
     ;;
   *)
     echo "$0: unknown step $step; try --help" >&2
