@@ -31,7 +31,7 @@ include_patterns = ["*.md", "Documentation/*.md", "Documentation/devices/*.md", 
 # Writes build/pyvista-pages from the scripts.
 sphinx_gallery_conf = write_scripts(root, root / "build" / "pyvista-scripts")
 
-# Anchors as GitHub makes them, to which the documents link.
+# Generate the anchors of headings as GitHub does, because the documents link to them.
 myst_heading_anchors = 4
 # Program output and equations in blocks are not highlighted unless the block names a language.
 highlight_language = "none"

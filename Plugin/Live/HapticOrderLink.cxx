@@ -261,7 +261,8 @@ void HapticOrderLink::Stop(const std::string& why)
 void HapticOrderLink::EndForce()
 {
   this->Device->Disarm();
-  // Wait until the force is zero, so that a recording includes the last orders.
+  // Wait until the force is zero, at most about 50 ms, so that a recording includes the ticks until
+  // then.
   for (int i = 0; i < 50; ++i)
   {
     this->Device->UpdateState();

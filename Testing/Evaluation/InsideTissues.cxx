@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> Smooth(vtkImageData* image)
   return smooth->GetOutput();
 }
 
-/** Reads the nearest voxel of an image. */
+/** Tests whether positions are in a tissue, by the value and label of the nearest voxel. */
 class Look
 {
 public:

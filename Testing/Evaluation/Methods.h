@@ -55,8 +55,8 @@ const std::vector<Method>& AllMethods();
 const Method& SurfaceHaptics();
 
 /**
- * A stroke down to a surface and along it. The tip begins on the surface, because PROXY selects the
- * level where the tip begins.
+ * A stroke that presses into a surface and slides along it. The first tip is on the surface,
+ * because PROXY takes its level from the value there.
  */
 struct Stroke
 {

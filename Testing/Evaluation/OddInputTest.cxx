@@ -24,8 +24,8 @@ TEST_P(OddInput, AStepOfAFunctionIsFoundAndHeld)
   material.SurfaceStrength = { { 500.0, 0.0 }, { 500.0, 2.0 } };
   const Path path = Press(8.0, 0.1);
   const Trace trace = this->Feel([](const Vector3& x) { return 100.0 * x.Z; }, {}, material, path);
-  // x_s is 2 mm ahead, so the step at the value 500 is at z = 3 mm. It resists up to a spring
-  // length of 4 mm.
+  // The value is 500 at z = 5 mm. It is read at x_s, 2 mm ahead of the proxy, so the step is felt
+  // at z = 3 mm. The step holds until the spring is 4 mm long.
   for (std::size_t i = 0; i < trace.size(); ++i)
   {
     const double expected = std::clamp(0.5 * (path[i].Z - 3.0), 0.0, 2.0);

@@ -158,7 +158,7 @@ double ComputeOtsuThreshold(vtkImageData* image)
   return threshold;
 }
 
-/** Least number of adjacent samples above a level that can't be noise. */
+/** Smallest number of connected samples above a level that counts as structure, not as noise. */
 constexpr vtkIdType LeastStructure = 27;
 
 /** Removes structures above a level that have fewer samples than LeastStructure. */

@@ -33,8 +33,8 @@ FalconReport DealReport(Dealer& dealer)
 }
 
 /**
- * Draws raw bytes, a part of a packet, or a whole packet that may be damaged, in a buffer of
- * exactly this size.
+ * Returns one or more pieces in a row. A piece is raw bytes, a part of a packet, or a whole packet,
+ * which may be damaged.
  */
 std::vector<std::uint8_t> DealBytes(Dealer& dealer)
 {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) VTK Volume Haptics contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/** Describes the method LOCAL_SURFACE on volumes with a known surface. */
+/** Helpers for tests of the method LOCAL_SURFACE: models of volumes with a known surface. */
 #ifndef LocalSurfaceRig_h
 #define LocalSurfaceRig_h
 

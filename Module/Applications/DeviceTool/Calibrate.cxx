@@ -63,8 +63,8 @@ constexpr double Patience = 60.0; // s, without --seconds
 /// are calibrated.
 constexpr double LightFraction = 0.1;
 constexpr double HeavyFraction = 0.6;
-/// The forces that press on the scale, as fractions of the largest force. The first force has to
-/// exceed twice the friction, which may have the wrong direction before the force rises.
+/// The forces that press on the scale, as fractions of the largest force. The first force must
+/// exceed twice the friction, which may act against it before the force rises.
 constexpr double Levels[] = { 0.3, 0.45, 0.6, 0.75 };
 constexpr int Tries = 3;
 constexpr double MostGrams = 20000.0;

@@ -133,7 +133,7 @@ bool CopyCarved(const VolumeView& whole, const CarvedView& carved, const CarvedB
   {
     elements += box.Low[a] * copy.Stride[a];
   }
-  // The address is computed as a number, because there may be no memory at it.
+  // Compute the address as an integer, because it may be outside the buffer.
   copy.Data = reinterpret_cast<const void*>(
     reinterpret_cast<std::uintptr_t>(to) - static_cast<std::uintptr_t>(elements) * sizeof(double));
   return true;

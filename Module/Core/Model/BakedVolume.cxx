@@ -130,8 +130,8 @@ std::vector<FieldTimeStep> MakeTimeSteps(const std::vector<VolumeTimeStep>& give
 }
 
 /**
- * Bit that distinguishes the number of a volume that is felt with a point from the number of the
- * same volume with a tool.
+ * Bit that is flipped in a volume's number when it is felt with a point, so that the number differs
+ * from the number of the same volume felt with a tool.
  */
 constexpr std::uint64_t PointNumber = std::uint64_t{ 1 } << 63;
 

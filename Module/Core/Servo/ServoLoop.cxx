@@ -121,8 +121,9 @@ void ServoLoop::ApplyOrders(std::uint64_t command) noexcept
         break;
     }
   }
-  // Handle the clutch after the orders, because an Arm during the clutch is stored. A clutch that
-  // was set and released since the last tick still ends the force.
+  // Handle the clutch after the orders: the gate stores an Arm given while clutched, and carries it
+  // out on release. Set the clutch first, so that a clutch pressed and released between two ticks
+  // still ends the force.
   if (ClutchesOf(command) != ClutchesOf(seen))
   {
     this->Gate.SetClutched(true);

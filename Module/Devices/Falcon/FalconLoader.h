@@ -63,8 +63,8 @@ struct FalconLoaderStep
   const std::uint8_t* Bytes = nullptr;
   std::size_t Size = 0;
   /**
-   * Whether the transport may end a Read early with TimeOut(), because the message will be
-   * repeated.
+   * Whether an answer may be missing, as to a greeting, which is repeated. The transport may then
+   * end a Read early with TimeOut().
    */
   bool MayStayOpen = false;
 };

@@ -59,8 +59,8 @@ public:
 
   ///@{
   /**
-   * ReplayTime: time (s) for which a device vibrates after the last report if it ends the vibration
-   * by itself.
+   * ReplayTime: time (s) after the last report at which a device stops vibrating, if it does so by
+   * itself. RenewTime: time (s) after which an unchanged level is sent again.
    */
   static constexpr double ReplayTime = 0.15;
   static constexpr double RenewTime = 0.05;

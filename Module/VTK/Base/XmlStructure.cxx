@@ -203,7 +203,7 @@ public:
       }
       at = close + 1;
     }
-    // If the file has appended data, only the root element is still open behind it.
+    // The parsed text ends where appended data begin. There, the root element is still open.
     if (open.size() != (this->Appended.data() ? 1 : 0) || !this->HasRoot)
     {
       Refuse("the file ends before its last element");

@@ -71,7 +71,7 @@ public:
    */
   const DeviceFacts& GetFacts() const { return this->Facts; }
   std::string DrainMemoryTrouble() { return std::exchange(this->MemoryTrouble, {}); }
-  /** Returns whether facts are kept about the device: it gives force and has an identity. */
+  /** Returns whether facts are kept, as for a device that gives force and has an identity. */
   bool HasFacts() const { return !this->Identity.empty(); }
   /**
    * Returns whether the user's file stores the device's facts: its identity must be unique to it.

@@ -166,8 +166,8 @@ private:
   /** Returns the hashes of the data that a filter touches now; null until they are computed. */
   const RecordingHashes* GetHashes(vtkVolumeHapticsFilter* filter);
   /**
-   * Adds the hashes at the end of a recording. Waits for them only if the device is not armed,
-   * because the hand would have to wait, too.
+   * Adds the hashes at the end of a recording. Waits for them only while the device is not
+   * armed; otherwise, the hand would have to wait, too.
    */
   void AwaitHashes(HapticRecording& recording);
   void ReportTrouble();

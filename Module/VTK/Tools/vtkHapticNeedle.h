@@ -97,14 +97,14 @@ public:
   ///@}
 
   /**
-   * Make the track of the last insertion in a trace of vtkVolumeHapticsFilter that was made with a
-   * needle: a polyline of the positions at which the point entered other tissue, and of the deepest
-   * position. The point array Depth (world units) has the distance along the needle. The cell
-   * arrays Label and Length (world units) have a value for each stretch of the track. Field arrays,
-   * one number each: Depth, the greatest depth; Angle (degrees), between the track and the
+   * Compute the track of the last insertion in a trace that vtkVolumeHapticsFilter made with a
+   * needle: a polyline through the positions where the point entered a new tissue, ending at the
+   * deepest position. The point array Depth (world units) has the distance along the needle. The
+   * cell arrays Label and Length (world units) have a value for each stretch of the track. Field
+   * arrays, one number each: Depth, the greatest depth; Angle (degrees), between the track and the
    * surface's normal at the entry, or -1 if there is no normal; and ForbiddenTouches, if the trace
-   * has it. If the trace has no needle, returns false; the track is empty then and reports the
-   * error. Trace and track must be different objects.
+   * has it. Returns false if the trace has no needle; the track is empty then, and emits the error.
+   * Trace and track must be different objects.
    */
   static bool MakeTrack(vtkPolyData* trace, vtkPolyData* track);
 

@@ -67,7 +67,8 @@ int TestExploreOrientation(int argc, char* argv[])
         " times the stored ones plus " + std::to_string(intercept),
       head, Explore::LoadVolume(WriteNifti(folder, shuffled, slope, intercept)).Image);
   }
-  // NRRD and MetaIO headers state their axes; NIfTI's transforms refer to a patient.
+  // NRRD and MetaImage headers may state what their axes refer to, or leave it unknown. NIfTI's
+  // transforms always refer to the patient.
   const auto axesOf = [](const std::string& path) { return Explore::LoadVolume(path).Axes; };
   Expect(axesOf(WriteNifti(folder, shuffled, 1.0, 0.0)) == Explore::WorldAxes::Patient,
     "a NIfTI form is of a patient");

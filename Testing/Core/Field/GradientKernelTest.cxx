@@ -128,8 +128,8 @@ TEST(GradientKernel, RadiusIsLimited)
   EXPECT_TRUE(GradientKernel(GradientEstimator::CentralDifference, 3).Table.empty());
 }
 
-// The table in Documentation/method.md: the standard deviation of the weights, by their first two
-// moments, which the fields x and x^2 show.
+// Checks the table in Documentation/method.md: the standard deviation of the kernel's weights. It
+// follows from their first two moments, the values sampled in the fields x and x^2.
 TEST(GradientKernel, BlursAsTheMethodSays)
 {
   struct Row

@@ -18,8 +18,8 @@ using namespace coretest;
 
 namespace
 {
-/// Returns a label from -60 to 60, in an order that differs along each axis. Unsigned types get no
-/// negative labels.
+/// Returns a label that varies differently along each axis: 0 to 120 for unsigned types, -60 to 60
+/// for the others.
 std::int64_t LabelAt(ScalarType type, std::int64_t i, std::int64_t j, std::int64_t k)
 {
   const bool isUnsigned = type == ScalarType::UInt8 || type == ScalarType::UInt16 ||

@@ -428,8 +428,8 @@ TEST(ForceGate, SharesRampAndOpening)
   gate.ReportCommand(true);
   EXPECT_EQ(gate.GetState(), GateState::Armed);
   EXPECT_EQ(gate.Pass(0.1), 1.0);
-  // The opening of the data falls to 0, and returns to two thirds. The gate moves at most by a
-  // quarter per tick.
+  // The share of the data that is in memory drops to 0, then rises to 2/3. The gate follows by at
+  // most a quarter per tick, so it only reaches 0.75 before it goes to 2/3.
   gate.ReportData(0.0, 0.25 * ForceGate::FadeTime);
   EXPECT_EQ(gate.Pass(0.1), 0.75);
   EXPECT_EQ(gate.GetReason(), GateReason::NoData);

@@ -240,8 +240,9 @@ TEST(ProxyRelease, GivesAHandThatTurnsBackNoMoreThanItsSpringHeld)
 
 TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
 {
-  // The shell ends at x = 12 mm. The hand below it moves up and along x at the same time, so that
-  // the proxy slides to the shell's end and slips off.
+  // The shell at z = 20 mm ends at x = 12 mm. The hand has pressed 12 mm through the shell, which
+  // holds the proxy. The hand then moves along x and slowly back, so that the proxy slides to the
+  // shell's end and slips off.
   TestVolume volume(ScalarType::Float32, { 24, 24, 48 });
   volume.Fill<float>(
     [](std::int64_t i, std::int64_t, std::int64_t k)
@@ -249,7 +250,7 @@ TEST(ProxyRelease, GoesOverForAHandOnItsWayBack)
       const double z = (double(k) - 20.0) / 2.0;
       return 1000.0 * std::exp(-z * z) * 0.5 * std::erfc(double(i) - 12.0);
     });
-  for (const double speed : { 0.01, 0.1, 0.3 }) // m/s, both along x and upwards
+  for (const double speed : { 0.01, 0.1, 0.3 }) // m/s along x; 0.3 times as fast along -z
   {
     SCOPED_TRACE(speed);
     Pair pair(DescribeShell(volume, 1e6));

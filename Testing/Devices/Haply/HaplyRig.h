@@ -76,8 +76,8 @@ protected:
     EXPECT_TRUE(Eventually([&] { return Size(this->LastForce()) == 0.0; }));
   }
   /**
-   * Returns the number of messages by which the client's position is behind; one unanswered message
-   * is normal. The service must number its positions, and no loop may run.
+   * Returns how many messages the client's last position lags behind the messages sent; 1 is normal
+   * (the unanswered one). The service must number its positions, and no servo loop may run.
    */
   double CountBehind()
   {

@@ -155,7 +155,8 @@ TEST_F(FilterBurr, AHoleThroughSeveralLabelsCostsTheSumOfTheirEnergies)
       index[a] = static_cast<int>(std::lround((place[a] - labels->GetOrigin()[a]) / spacing));
     }
     const double label = labels->GetScalarComponentAsDouble(index[0], index[1], index[2], 0);
-    // A voxel loses its volume while its fraction is in the middle sixth of its range.
+    // The removed volume of a voxel rises from none to all of it while the remaining fraction rho
+    // falls from 7/12 to 5/12.
     volumes[label == 2.0 ? 0 : (label == 3.0 ? 1 : 2)] +=
       std::pow(BurrVoxel, 3) * (1.0 - std::clamp(6.0 * (rho - 0.5) + 0.5, 0.0, 1.0));
   }

@@ -272,7 +272,7 @@ TEST_F(FilterDataSets, WithCellsThatMakeNoSenseAreRefused)
   vtkNew<vtkHapticRegionSource> source;
   EXPECT_TRUE(source->OpenDataSet(make(VTK_TETRA, { 7, 4, 5, 6 }), 0.5, "height"));
 
-  // offsets before the list, below the last offset, and behind the list
+  // an offset before the list, one smaller than the offset before it, and one past the list's end
   for (const vtkIdType offset : { -4, 3, 9 })
   {
     const auto grid = make(VTK_TETRA, { 7, 4, 5, 6 });

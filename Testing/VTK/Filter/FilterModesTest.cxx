@@ -426,9 +426,9 @@ TEST_F(FilterModes, ALineOfADipoleIsKept)
 
 TEST_F(FilterModes, AnObliqueFrontAndALineShareTheSpring)
 {
-  // Case P10: a line along x and a front across (1, 0, 1), with 1 N each. While the lag is within
-  // both strengths, the forces have a unique solution. If the tip is pulled further along -z, both
-  // yield with their full strengths.
+  // Case P10: a line along x and a front across (1, 0, 1), with 1 N each. While neither strength is
+  // exceeded, the forces have a unique solution. If the tip is pulled further along -z, both modes
+  // yield, each at its full strength.
   this->AddArray("flow", 3,
     [](const Point&, double* v)
     {

@@ -55,7 +55,8 @@ inline double Value(const std::vector<Ball>& balls, const Point& x, int size = S
 constexpr double Range = 250.0;        // range of the values of the three materials
 constexpr double Sigma = 0.02 * Range; // standard deviation of their noise
 
-/// Returns the balls for three materials with the values 0, 100 and 250 and these edge widths s.
+/// Returns the balls for three materials with the values 0, 100 and 250 and edges of these
+/// widths.
 inline std::vector<Ball> ThreeMaterials(double outer, double inner)
 {
   return { { 34.0, 100.0, outer }, { 18.0, 150.0, inner } };

@@ -63,7 +63,7 @@ struct Share
   }
 };
 
-/// Returns whether the trace has values at surfaces, which modes lack.
+/// Returns whether the trace has values at surfaces, which the method PRIMITIVES does not write.
 bool HasSurfaces(const Exploration& e)
 {
   return e.Filter->GetMethod() != vtkVolumeHapticsFilter::PRIMITIVES;

@@ -33,8 +33,8 @@ constexpr double HeapRatio = 2.0;
 constexpr double Air = -1000.0;
 constexpr double Offsets[] = { 1024.0, 32768.0 };
 /**
- * Shifted data have almost no values up to this one (HU), because the shift makes all values
- * positive.
+ * Largest stored value that counts as negative. Shifted data have almost no such values, because
+ * the shift makes all values positive.
  */
 constexpr double Negative = -0.5;
 /**

@@ -250,8 +250,8 @@ double Carry(const HapticModel& model, double from, double to, double stiffness,
 }
 
 /**
- * Moves the tip, and the proxy on the present surface. `carried` is the distance by which the
- * volume has moved the surface.
+ * Updates the tip and moves the proxy along the present surface. `carried` is the distance by which
+ * the volume has moved the surface.
  */
 void Solve(const HapticModel& model, const Vector3& tip, double carried, double friction,
   LocalState& local, ContactState& contact) noexcept

@@ -160,7 +160,10 @@ private:
   static constexpr int VisibilityChannel = 4; ///< channel of MaterialTable
   /** Largest distance (voxels) of a proxy from its level. */
   static constexpr double FarthestLevel = 0.25;
-  /** Least strength (N) of an edge that is visible, because a hand can feel 0.1 N. */
+  /**
+   * Strength (N) to which a visible edge is raised, if its material allows as much. It is above the
+   * 0.1 N that a hand can feel.
+   */
   static constexpr double LeastSeen = 0.15;
 
   /** The result of a walk: PrecisePoint::Far and PrecisePoint::FarLasts. */

@@ -111,7 +111,7 @@ struct HeldAt
   double Strength = 0.0; ///< T W_d (N)
   bool IsWhole() const noexcept
   {
-    // With a label behind it, the surface holds with the label's full strength, whatever W_d is.
+    // A label behind the surface holds with its full strength, without the distinctness W_d.
     return this->Behind.Puncture > 0.0 && this->Push >= WholeFraction * this->Behind.Puncture;
   }
 };

@@ -28,7 +28,7 @@ constexpr double BoundaryFraction = 4e-6;
 /** Depth (m) from which on the lateral hold has its full strength. */
 constexpr double HoldDepth = 1e-3;
 
-/** An inserted needle in one tick. */
+/** Moves an inserted needle along its axis in one tick, and computes the force. */
 class InsertedNeedle
 {
 public:

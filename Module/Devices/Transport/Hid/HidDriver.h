@@ -66,7 +66,7 @@ protected:
   virtual void Work(HardwareExchange& exchange) = 0;
   /** Ends the force, if any. */
   virtual void Rest() noexcept = 0;
-  /** Sends the last message to a connected device. */
+  /** Sends the final message before a connected device is closed. By default, ends the force. */
   virtual void End() noexcept { this->Rest(); }
   ///@}
 

@@ -169,7 +169,7 @@ struct StoredChunks
   }
 };
 
-/** Facts about a file, found with HDF5's library. */
+/** The geometry, array and chunks of a VTKHDF file, read with the HDF5 library. */
 struct VtkHdfFacts
 {
   BoxExtent Extent{};

@@ -39,7 +39,8 @@ public:
   static constexpr double LongestPeriod = 0.02;
   static constexpr double LongestStep = 0.05; ///< s: longest pause between two motions of one
                                               ///< stroke
-  static constexpr double FeltTime = 0.004;   ///< s: a few ticks, within which a motion is felt
+  /** Time (s) from a motion to its frame: a few ticks, so that it is felt before it is drawn. */
+  static constexpr double FeltTime = 0.004;
   static constexpr double LongestAwaited =
     0.03; ///< s: time in which the hand may move before the first frame of a stroke
 

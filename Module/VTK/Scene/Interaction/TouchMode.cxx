@@ -135,7 +135,7 @@ void TouchMode::Begin(const Vector3* at)
     }
     if (const vtkSmartPointer<vtkVolumeHapticsFilter> filter = device->GetVolumeHaptics())
     {
-      // Announce no long work for a mesh that is made in the background.
+      // If the mesh is made in the background, the work takes no time here.
       BakePreparation& baking = filter->GetBaker().GetPreparation();
       const LongWork work(device, MeshingWork, baking.Prepare() ? 0.0 : baking.EstimateTime());
       if (this->IsBeginning && FindFirstContact(renderer, start, filter, start))

@@ -115,8 +115,8 @@ TEST_F(BurrRecording, UndoAndRedoUnderTheHand)
   const auto second = this->GetShares();
   ASSERT_NE(first, second);
   EXPECT_EQ(this->GetRemoval()->GetNumberOfUndos(), 2);
-  // Undo must close the hole around the hand without a force on the hand. The tip may be elsewhere
-  // after a pause of the loop.
+  // Undo must fill the hole around the hand without pushing the hand. Begin a new way, because the
+  // tip may have moved while the loop paused.
   this->BeginWayHere();
   EXPECT_TRUE(this->GetRemoval()->Undo());
   ASSERT_TRUE(this->IsRequestDone());

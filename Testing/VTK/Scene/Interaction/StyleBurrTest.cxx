@@ -216,9 +216,9 @@ TEST_F(StyleBurr, ShowsItWithAMapperThatHasNoTexture)
 
 /// Expects the scene to show removed tissue within 100 ms of servo time, measured from the tick
 /// that removes the tissue to the end of the frame that shows it. The measurement starts at the
-/// last poll before the removal, so it is slightly too long. Since the machine may be busy, one of
-/// 20 strokes is sufficient, or the second frame after that poll. The mapper must keep its
-/// unchanged image, because only bricks are uploaded.
+/// last poll before the removal, so it is slightly too long. Since the machine may be busy, it is
+/// enough that one of 20 strokes is shown in time, or by the second frame after that poll. The
+/// mapper must keep its unchanged image, because only bricks are uploaded.
 TEST_F(StyleBurr, TheSceneFollowsWithin100Milliseconds)
 {
   // A software renderer draws a window of this size in a few milliseconds.
