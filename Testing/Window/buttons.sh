@@ -185,6 +185,20 @@ choose $RECORD 2
 wait_for "a recording" test -s touch-001.vtp
 choose $TOOL 3
 wait_for "a burr" grep -q "The hand holds a burr" program.log
+# Two quick presses of a key count as two: from the burr to the point and to the needle. A key that is held counts once.
+has_held()
+{
+  [[ "$(grep -c "^The hand holds a" program.log)" -eq "$1" ]]
+}
+held=$(grep -c "^The hand holds a" program.log)
+xdotool key --delay 4 w w
+wait_for "two changes of the tool" has_held $((held + 2))
+xdotool keydown w
+sleep 1.5
+xdotool keyup w
+wait_for "a change by a held key" has_held $((held + 3))
+sleep 0.5
+has_held $((held + 3)) || fail "a held key changes the tool again and again"
 
 choose $FILE 2
 wait_for "the file of the dialog" has_read second.vti 1

@@ -222,7 +222,10 @@ void CommandTable::UpdateList()
 bool CommandTable::PressKey()
 {
   const std::string name = this->NameKey();
-  if (this->Repeat.IsRepeat(name))
+  this->Repeat.Watch(this->Interactor->GetRenderWindow());
+  const bool isRepeat = this->Repeat.IsRepeat(name);
+  this->Repeat.RecordPress(name);
+  if (isRepeat)
   {
     return !this->UsedKey.empty(); // a key that is held down runs its command only once
   }

@@ -430,9 +430,11 @@ void HapticInteraction::Zoom(const std::function<void()>& zoom)
 bool HapticInteraction::PressKey(const std::string& pressed)
 {
   const std::string key = this->FindAction(pressed);
-  if (this->Repeat.IsRepeat(pressed) && !KeyRepeat::MayRepeat(key))
+  const bool isRepeat = this->Repeat.IsRepeat(pressed);
+  this->Repeat.RecordPress(pressed);
+  if (isRepeat && !KeyRepeat::MayRepeat(key))
   {
-    return this->IsRepeat(pressed);
+    return pressed == this->UsedKey;
   }
   const bool isUsed = this->Perform(key, true);
   this->UsedKey = isUsed ? pressed : std::string();
@@ -685,6 +687,7 @@ bool HapticInteraction::Update(vtkInteractorStyleHaptic* style)
   this->Window.Look();
   this->Window.LookAt(scene.ChooseRenderer());
   vtkRenderWindowInteractor* const interactor = style->GetInteractor();
+  this->Repeat.Watch(interactor ? interactor->GetRenderWindow() : nullptr);
   this->Frames.SetWindow(
     interactor && style->GetAutoAdjustVolumeQuality() ? interactor->GetRenderWindow() : nullptr,
     style->GetAutoAdjustOffScreen());

@@ -133,10 +133,18 @@ public:
   {
     return !this->Repeat.IsRepeat(pressed) && this->FindAction(pressed) == key;
   }
-  /** Returns whether a press is an automatic repetition of the last used key, which is held. */
-  bool IsRepeat(const std::string& pressed) const
+  /**
+   * Returns whether a press is an automatic repetition of the last used key, which is held. If so,
+   * records the press.
+   */
+  bool IsRepeat(const std::string& pressed)
   {
-    return pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
+    const bool isHeld = pressed == this->UsedKey && this->Repeat.IsRepeat(pressed);
+    if (isHeld)
+    {
+      this->Repeat.RecordPress(pressed);
+    }
+    return isHeld;
   }
   /** Returns whether to keep a typed key from the superclass, where it has another effect. */
   bool TypeKey(const std::string& typed) const;
