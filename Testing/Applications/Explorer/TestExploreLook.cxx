@@ -6,6 +6,7 @@
 // half of the opacity, 1 - exp(-sum) by the definition of vtkVolumeProperty, lies in front. Grey
 // values behave alike: a sheet in front of the body whose peak only reaches the value at which the
 // picture begins is hardly seen, and not felt. Where the body is dark, the picture shows the dark.
+#include "Applications/Explorer/Analysis/BodyIsolation.h"
 #include "Applications/Explorer/Analysis/VolumeAnalysis.h"
 #include "Applications/Explorer/Scene/VolumeLook.h"
 #include "Expectations.h"
@@ -120,10 +121,24 @@ void FeelAndLook(
     seen = x;
   }
 }
+
+/// Expects that voxels below a threshold between two grey levels join nothing to the body.
+void ExpectBodyAlone()
+{
+  const auto image =
+    MakeImage([](double x) { return x < 30.0           ? 6.0
+                               : x < 40.0 || x >= 50.0 ? 2.0
+                                                       : 4.0; });
+  const auto body = Explore::IsolateBody(image, 2.8, 0.0);
+  Expect(body->GetScalarComponentAsDouble(10, 5, 5, 0) == 6.0, "the body is not in the picture");
+  Expect(body->GetScalarComponentAsDouble(45, 5, 5, 0) == 0.0,
+    "a part that only darker voxels join to the body is in the picture");
+}
 } // namespace
 
 int TestExploreLook(int, char*[])
 {
+  ExpectBodyAlone();
   for (const char* const preset : { "CT contrast", "CT chest", "CT angiography" })
   {
     for (const double around : { -1000.0, -700.0, -550.0, -450.0 })

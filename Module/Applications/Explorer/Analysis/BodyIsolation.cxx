@@ -22,7 +22,10 @@ Mask LargestRegion(vtkImageData* image, double threshold)
 {
   vtkNew<vtkImageConnectivityFilter> connectivity;
   connectivity->SetInputData(image);
-  connectivity->SetScalarRange(threshold, VTK_DOUBLE_MAX);
+  // The filter cuts the range to whole numbers if the voxels are whole: 2.8 would be 2.
+  const int type = image->GetScalarType();
+  const bool isWhole = type != VTK_FLOAT && type != VTK_DOUBLE;
+  connectivity->SetScalarRange(isWhole ? std::ceil(threshold) : threshold, VTK_DOUBLE_MAX);
   connectivity->SetExtractionModeToLargestRegion();
   connectivity->SetLabelScalarTypeToUnsignedChar();
   connectivity->Update();
