@@ -8,11 +8,13 @@ configure_package_config_file(
   "${CMAKE_CURRENT_LIST_DIR}/VolumeHapticsConfig.cmake.in"
   "${package_dir}/VolumeHapticsConfig.cmake"
   INSTALL_DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}")
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/VolumeHapticsVtk.cmake" DESTINATION "${package_dir}")
 write_basic_package_version_file(
   "${package_dir}/VolumeHapticsConfigVersion.cmake" COMPATIBILITY SameMinorVersion)
 install(
   FILES       "${package_dir}/VolumeHapticsConfig.cmake"
               "${package_dir}/VolumeHapticsConfigVersion.cmake"
+              "${package_dir}/VolumeHapticsVtk.cmake"
   DESTINATION "${VolumeHaptics_CMAKE_DESTINATION}"
   COMPONENT   development)
 
