@@ -15,11 +15,12 @@ import sys
 
 # Variables that a block may use without declaring them.
 GIVEN = """
-  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkRenderer> renderer, otherRenderer;
   vtkNew<vtkRenderWindow> window;
-  vtkNew<vtkRenderWindowInteractor> interactor;
+  vtkNew<vtkRenderWindowInteractor> interactor, otherInteractor;
   vtkNew<vtkXMLImageDataReader> head, series;
-  vtkNew<vtkImageData> image;
+  vtkNew<vtkImageData> image, nextImage;
+  vtkNew<vtkPolyData> mesh;
   vtkNew<vtkVolume> volume, ct, mri;
   vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   vtkNew<vtkPlane> plane;

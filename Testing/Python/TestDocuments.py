@@ -6,7 +6,7 @@ options used there.
 Other tests run the remaining blocks: TestExamples.py and TestLarge.py run python.md and measuring.md;
 Testing/PyVista/TestSnippets.py runs the blocks on PyVista and notebooks; Testing/Hosts runs hosts.md; TestReadme.py
 and TestServer.py of Testing/ParaView run the blocks on ParaView; Testing/Package/snippets.py compiles the C++
-blocks; Testing/Package/install.sh builds the CMake block.
+blocks, and TestWindowPage.py runs some of them; Testing/Package/install.sh builds the CMake block.
 """
 
 import re
