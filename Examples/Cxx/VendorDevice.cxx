@@ -119,7 +119,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   if (result < 0)
   {
     // The force stays off until the user opens or homes the device and arms it again.
-    device->Error = "does not answer. Look after its cable, then Home() and Arm() again.";
+    device->Error = "does not answer. Check its cable, then Home() and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
   // The sample uses metres, and axes that point right, up and towards the user.
@@ -146,7 +146,7 @@ int Write(void* handle, const double force[3], const double[3])
   const double newtons[3] = { force[0], -force[2], force[1] };
   if (VendorSdk::Write(device->Handle, newtons) < 0)
   {
-    device->Error = "does not take forces. Look after its cable, then Home() and Arm() again.";
+    device->Error = "does not take forces. Check its cable, then Home() and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
   return VOLUME_HAPTICS_VENDOR_DONE;

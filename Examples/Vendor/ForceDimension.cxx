@@ -47,7 +47,7 @@ std::string Explain(const char* what, const char* cure)
   return std::string(what) + " (" + (reason ? reason : "no reason given") + "). " + cure;
 }
 
-constexpr const char* LookAfterIt = "Look after its cable and power, then Home() and Arm() again.";
+constexpr const char* LookAfterIt = "Check its cable and power, then Home() and Arm() again.";
 
 // Values of dhdGetSystemType(). SDK 3.17 deprecates the names of SDK 3.14, so these names are
 // independent of both.
@@ -157,7 +157,7 @@ void* Open(int number)
   if (id < 0)
   {
     OpenError() = Explain("can't be opened",
-      "Close other programs that use it, and look after its power and your permission for it.");
+      "Close other programs that use it, and check its power and your permission for it.");
     return nullptr;
   }
   auto* const device = new Device;
@@ -170,7 +170,7 @@ void* Open(int number)
   }
   if (drdIsInitialized(device->Id) && dhdEnableForce(DHD_ON, device->Id) < 0)
   {
-    OpenError() = Explain("does not switch its force on", "Look after its cable and power.");
+    OpenError() = Explain("does not switch its force on", "Check its cable and power.");
     Close(device);
     return nullptr;
   }
@@ -253,7 +253,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
     : dhdGetPosition(&x, &y, &z, device.Id);
   if (result < 0)
   {
-    device.Error = Explain("does not tell its position", LookAfterIt);
+    device.Error = Explain("does not report its position", LookAfterIt);
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
   pose->Position[0] = y;

@@ -433,7 +433,7 @@ int Read(void* handle, VolumeHapticsVendorPose* pose)
   if (report.Error != HD_SUCCESS)
   {
     device.Text = "has a fault (" + std::string(hdGetErrorString(report.Error)) +
-      "). Let it rest if its motors are warm, look after its cable, then Home() and Arm() again.";
+      "). Let it rest if its motors are warm, check its cable, then Home() and Arm() again.";
     return VOLUME_HAPTICS_VENDOR_LOST;
   }
   if (report.Time == 0 || !report.IsCalibrated)

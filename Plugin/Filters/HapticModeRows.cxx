@@ -106,13 +106,14 @@ std::string FillGuide(vtkDataObject* data, const std::string& array, vtkHapticGu
   auto* const shape = vtkPolyData::SafeDownCast(data);
   if (!shape)
   {
-    return "has nothing that guides. Choose polygons or lines as Surface, or an image of distances";
+    return "has no guide. Choose polygons or lines as Surface, or an image of distances";
   }
   const bool isPath = shape->GetNumberOfLines() > 0 && shape->GetNumberOfPolys() == 0 &&
     shape->GetNumberOfStrips() == 0;
   if (isPath && guide->GetSide() != vtkHapticGuideMode::SURFACE)
   {
-    return "is about a side, but the Surface has lines, which have none. Give the kind Guide, or "
+    return "needs an inside and an outside, which the lines of Surface do not have. Give the kind "
+           "Guide, or "
            "choose polygons as Surface";
   }
   guide->SetPath(isPath ? shape : nullptr);
@@ -274,7 +275,7 @@ void HapticModeRows::AddRow(
   }
   else if (!mode->HasSecondStrength() && !second.empty())
   {
-    flaw = "has a second strength, which this kind has none of. Leave it empty";
+    flaw = "has a second strength, which this kind does not use. Leave it empty";
   }
   else
   {
@@ -289,7 +290,7 @@ void HapticModeRows::AddRow(
     if (!ReadFunctionText(strength, mode->GetStrength()) ||
       (mode->HasSecondStrength() && !ReadFunctionText(second, mode->GetSecondStrength())))
     {
-      flaw = "has a strength that is no number of newtons. Give one, or pairs such as "
+      flaw = "has a strength that is not a number of newtons. Give one, or pairs such as "
              "\"0 0, 0.5 2\"";
     }
     filter->AddMode(mode);

@@ -383,8 +383,8 @@ void vtkPVVolumeHapticsFilter::FillTable()
     {
       vtkErrorMacro(<< "Label Materials has the row " << row[0] << ", " << row[1] << ", " << row[2]
                     << ", " << row[3] << ", " << row[4]
-                    << ". Give a whole number, and four numbers, 0 or more, or -1 where the "
-                       "functions hold.");
+                    << ". Give a whole number, and four numbers, 0 or more, or -1 to use "
+                       "the functions.");
       this->IsTableGood = false;
       continue;
     }

@@ -108,7 +108,7 @@ void HapticController::attach(const QString& deviceId, const QString& preset, in
   auto* const view = qobject_cast<pqRenderView*>(active.activeView());
   if (!view)
   {
-    Q_EMIT this->told(tr("There is no render view to attach to. Click on one, or make one."));
+    Q_EMIT this->told(tr("There is no render view to attach to. Click on one, or create one."));
     return;
   }
   pqPipelineSource* const source = active.activeSource();
@@ -409,7 +409,7 @@ void HapticController::loadPreset(const QString& file)
   pqPipelineSource* const touch = this->findTouch();
   if (!touch)
   {
-    Q_EMIT this->told(tr("There is nothing to be felt yet: attach first."));
+    Q_EMIT this->told(tr("Nothing can be felt yet: attach a device first."));
     return;
   }
   // The client reads the file and sets the filter's functions, because properties also reach remote
@@ -436,7 +436,7 @@ void HapticController::savePreset(const QString& file)
     this->Device ? this->Device->GetDevice()->GetVolumeHaptics() : nullptr;
   if (!felt)
   {
-    Q_EMIT this->told(tr("There is nothing felt to be saved: attach first."));
+    Q_EMIT this->told(tr("There is nothing to save yet: attach a device first."));
     return;
   }
   VolumeHapticsLive::HapticErrorCatcher errors;
@@ -489,7 +489,7 @@ void HapticController::openRecorded()
   if (server->isRemote())
   {
     Q_EMIT this->told(
-      tr("%1 is a file of this computer, which the server does not read: open it there.")
+      tr("%1 is on this computer, where the server can't read it: open it on the server.")
         .arg(this->Recorded));
     return;
   }

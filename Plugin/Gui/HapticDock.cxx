@@ -74,26 +74,26 @@ HapticDock::HapticDock(QWidget* parent)
   auto* const help = new QToolButton(panel);
   help->setObjectName("HapticHelp");
   help->setText("?");
-  help->setToolTip(tr("What this window, the filter and the device are for."));
+  help->setToolTip(tr("Explains this window, the filter and the device."));
   grid->addWidget(help, 1, 2);
 
   this->SecondDevice = new QComboBox(panel);
   this->SecondDevice->setObjectName("HapticSecondDevice");
   this->SecondDevice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  this->SecondDevice->setToolTip(tr("A device for the other hand, in the same view and volume."));
+  this->SecondDevice->setToolTip(tr("Device for the other hand, in the same view and volume."));
   grid->addWidget(this->SecondDevice, 1, 0, 1, 2);
 
   this->Attach = this->addButton(grid, 2, 0, "HapticAttach", tr("Attach"),
-    tr("To the active render view and the active volume, or back."));
+    tr("Attaches the device to the active render view and volume, or detaches it."));
   this->Arm = this->addButton(grid, 2, 1, "HapticArm", tr("Arm"),
     tr("Let force through to the hand, or stop it at once. Key a in the view; Escape stops."));
   this->Touch = this->addButton(grid, 3, 0, "HapticTouch", tr("Touch with the mouse"),
     tr(
       "The mouse leads the tip of the virtual device, the wheel moves it into the screen. Key t."));
   this->Record = this->addButton(grid, 3, 1, "HapticRecord", tr("Record..."),
-    tr("Every tick of the servo, into a file, until pressed again."));
+    tr("Records every servo tick to a file, until pressed again."));
   this->Home = this->addButton(grid, 4, 0, "HapticHome", tr("Home"),
-    tr("Look for the zero of the device's encoders, with the hand's help."));
+    tr("Finds the zero of the device's encoders; you move the grip as the status says."));
   this->Home->setCheckable(false);
 
   const auto label = [panel](const char* name, bool wraps)
@@ -202,15 +202,16 @@ void HapticDock::addChoices(QGridLayout* grid, int row)
     this->Preset->addItem(name, name);
   }
   this->Method = addCombo(row + 1, "HapticMethod", tr("Method"),
-    tr("How the volume is felt. Key m in the view goes through them."));
+    tr("How the volume is felt. Key m in the view switches to the next one."));
   for (const VolumeHaptics::SettingChoice& method : VolumeHaptics::FilterSettingRows::MethodNames)
   {
     this->Method->addItem(tr(method.Text));
   }
   this->LoadPreset = this->addButton(grid, row + 2, 0, "HapticLoadPreset", tr("Load preset..."),
-    tr("Functions from a file, for Custom."));
+    tr("Loads functions from a file; they are used with Custom."));
   this->SavePreset = this->addButton(grid, row + 2, 1, "HapticSavePreset", tr("Save preset..."),
-    tr("What is felt now to a file, to be loaded here, in Python or in volumehaptics-explore."));
+    tr("Saves what is felt now to a file, which can be loaded here, in Python or in "
+       "volumehaptics-explore."));
   this->ShowAsCT = this->addButton(grid, row + 3, 0, "HapticShowAsCT", tr("Show as CT volume"),
     tr(
       "Renders the surface that the hand meets first, from skin to bone, at Hounsfield units. What "

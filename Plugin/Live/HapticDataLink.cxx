@@ -181,7 +181,7 @@ void HapticDataLink::Update(vtkSMProxy* proxy, vtkHapticDevice* device, HapticRe
   {
     if (touch && !report.HasProblem())
     {
-      report.SetProblem("Touch names something that is no Volume Haptics filter. Set it to one "
+      report.SetProblem("Touch does not name a Volume Haptics filter. Set it to one "
                         "whose Input is the volume.");
     }
     return;

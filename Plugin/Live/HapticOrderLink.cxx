@@ -211,7 +211,7 @@ void HapticOrderLink::Publish(vtkVolumeHapticsFilter* filter)
   }
   if (this->Device->GetVolumeHaptics() && !filter)
   {
-    this->Stop("Stopped, since there is nothing to touch any more: set Touch.");
+    this->Stop("Stopped, since there is nothing left to touch: set Touch.");
     return;
   }
   if (!filter || !filter->GetInputDataObject(0, 0))

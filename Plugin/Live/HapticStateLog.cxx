@@ -35,8 +35,8 @@ bool HapticStateLog::Start(const std::string& file, vtkHapticDevice* device, std
   this->File.open(file);
   if (!this->File)
   {
-    error =
-      "The file \"" + file + "\" can't be written. Choose a RecordingFile in a folder that can be.";
+    error = "The file \"" + file +
+      "\" can't be written. Choose a RecordingFile in a folder that you may write to.";
     return false;
   }
   this->HasTitles = false;
@@ -96,7 +96,7 @@ bool HapticStateLog::Stop(vtkHapticDevice* device, std::string& error)
   if (!this->File)
   {
     error = "The file \"" + this->Name +
-      "\" lacks what was felt: it could not be written to its end. Make room on its disk, or "
+      "\" is incomplete: it could not be written to the end. Make room on its disk, or "
       "choose a RecordingFile on another one.";
     return false;
   }

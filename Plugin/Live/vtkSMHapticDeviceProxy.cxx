@@ -243,9 +243,8 @@ void vtkSMHapticDeviceProxy::LoseServer()
   {
     d.IsLost = true;
     d.Device->FadeOut();
-    d.Report.SetNotice(
-      "The server does not answer any more, so the force was taken away. Connect to a "
-      "server again, and open the data there.");
+    d.Report.SetNotice("The server no longer answers, so the force was switched off. Connect to a "
+                       "server again, and open the data there.");
   }
 }
 

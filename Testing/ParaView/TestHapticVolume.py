@@ -127,7 +127,7 @@ vtkOutputWindow.SetInstance(console)
 
 # A number without a volume must be refused, with a remedy in ParaView's terms.
 none = open_volume(cases["tiff-folder"])
-rig.expect(none, "none with the number 3", "take Series = 1 to Series = 2",
+rig.expect(none, "none with the number 3", "use Series = 1 to Series = 2",
            FileName=cases["meta-vector-of-which-none-is-chosen"]["path"], Series=3)
 
 # ParaView must survive a file that can't be read, and report why.

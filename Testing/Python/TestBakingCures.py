@@ -102,14 +102,14 @@ def _(b):
     return lambda: (motion.SetComponent(77, 1, 0.0), motion.Modified(), b.image.Modified(), source.Modified())
 
 
-@case("or take the needle away with SetTool(nullptr)")
+@case("or remove the needle with SetTool(nullptr)")
 def _(b):
     frames(b)
     b.haptics.SetTool(vtkHapticNeedle())
     return lambda: b.haptics.SetTool(None)
 
 
-@case("Stop time with SetTimeUnitsPerSecond(0), or take the tool away", "ball")
+@case("Stop time with SetTimeUnitsPerSecond(0), or remove the tool", "ball")
 def _(b):
     frames(b)
     hold_ball(b, ball())
@@ -306,7 +306,7 @@ def _(b):
     return lambda: burr.SetSpeed(speed)
 
 
-@case("which only the method PROXY knows. Choose it with SetMethodToProxy(), or take the tool away", "ball")
+@case("which only the method PROXY knows. Choose it with SetMethodToProxy(), or remove the tool", "ball")
 def _(b):
     hold_ball(b, ball())
     b.haptics.SetMethodToForceField()
@@ -398,7 +398,7 @@ def surfaces_of_a_device(_):
 
 # -- modes that are proposed for an image --
 
-@result("Give it such an array, or take another preset: see GetModePresetNames()", "Use one of: ",
+@result("Give it such an array, or use another preset: see GetModePresetNames()", "Use one of: ",
         "Name one with SetArrayName(), or give the image active vectors", "Name another one with SetArrayName()",
         "Make a vtkHapticGuideMode instead", "Make a vtkHapticMode for another kind")
 def proposed_modes(_):
@@ -407,7 +407,7 @@ def proposed_modes(_):
         assert not b.haptics.ApplyModePreset("Waltz", b.image)
     names = b.haptics.GetModePresetNames()
     assert "Find a vortex" in [names.GetValue(i) for i in range(names.GetNumberOfValues())]
-    with told(b.haptics, "Give it such an array, or take another preset: see GetModePresetNames()"):
+    with told(b.haptics, "Give it such an array, or use another preset: see GetModePresetNames()"):
         assert not b.haptics.ApplyModePreset("Find a vortex", b.image)
     assert b.haptics.ApplyModePreset("Follow a dark vessel", ramp_of_a_ridge())
     b.haptics.RemoveAllModes()

@@ -133,7 +133,7 @@ def planned_paths(_):
 
 
 @result('for example with Open("virtual")', "Give an id that EnumerateDevices() lists", "with N counting from 0",
-        "There is nothing to record: Start() the servo first", "has an unknown ending: name it .vtp or .csv",
+        "There is nothing to record: Start() the servo first", "has an unknown extension: name it .vtp or .csv",
         "No recording is under way: Start() the recorder first", "A recording is under way: Stop() it first",
         'to lead: Open("virtual") first',
         "give the name of an unfinished recording, FILE.part", "Build it from such transforms only")
@@ -154,7 +154,7 @@ def devices(folder):
     device.SetVolumeHaptics(bench.haptics)
     device.SetAttentionTime(0.0)
     assert device.Start()
-    with told(device, "has an unknown ending: name it .vtp or .csv"):
+    with told(device, "has an unknown extension: name it .vtp or .csv"):
         assert not device.GetRecorder().Start(str(folder / "touch.vtk"))
     with told(device, "No recording is under way: Start() the recorder first"):
         assert not device.GetRecorder().Stop()
@@ -204,7 +204,7 @@ def label_tables(_):
     assert labels.GetStandOff() == 2.0
 
 
-@result("take POINT (0) to AREA (4)", "There is no shape to measure: give a vtkPolyData", "Choose a name that ends in .csv, .vtp or .mrk.json",
+@result("use POINT (0) to AREA (4)", "There is no shape to measure: give a vtkPolyData", "Choose a name that ends in .csv, .vtp or .mrk.json",
         "Choose a file that exists and may be read by you", "Name them there", "Write a number",
         "Close it, or check that the file is complete", "Write Point, Distance, Angle, Path or Area",
         "Choose a file that 3D Slicer, or this software, saved as .mrk.json", "it is not a complete .vtp file. Write it again",
@@ -212,7 +212,7 @@ def label_tables(_):
 def measurements(folder):
     measured = vtkHapticMeasurements()
     measured.AddDistance((0, 0, 0), (0, 3, 4))
-    with told(measured, "take POINT (0) to AREA (4)"):
+    with told(measured, "use POINT (0) to AREA (4)"):
         assert measured.AddMeasurement(7, vtkPolyData()) == -1
     with told(measured, "There is no shape to measure: give a vtkPolyData"):
         assert measured.AddMeasurement(measured.PATH, None) == -1
@@ -280,7 +280,7 @@ def proposals(_):
         assert feel.ProposeFromImage(image(step))
 
 
-@result("Touch three or more different ones", "Touch one well beside it", "three or more are needed. Touch more", "Touch again, while the device is ready", "Give each touched point its known position")
+@result("Touch three or more different ones", "Touch a point well off the line", "three or more are needed. Touch more", "Touch again, while the device is ready", "Give each touched point its known position")
 def calibrations(_):
     """Calibrations of a device whose axes are the world's, in metres instead of millimetres."""
     fit = vtkHapticDevice()
@@ -301,7 +301,7 @@ def calibrations(_):
         assert not add((0, 0, 0), (50, 0, 0))
     with told(fit, "Touch three or more different ones"):
         assert not add((1, 2, 3), (1, 2, 3), (1, 2, 3))
-    with told(fit, "Touch one well beside it"):
+    with told(fit, "Touch a point well off the line"):
         assert not add((0, 0, 0), (50, 0, 0), (100, 0, 0))
     with told(fit, "Touch again, while the device is ready"):
         assert not add((0, 0, 0), (50, 0, 0), (math.inf, 0, 0))

@@ -258,7 +258,7 @@ def _(b):
 
 # -- tools and modes --
 
-@case("Choose it with SetMethodToProxy(), or take the needle away")
+@case("Choose it with SetMethodToProxy(), or remove the needle")
 def _(b):
     b.haptics.SetTool(vtkHapticNeedle())
     b.haptics.SetMethodToForceField()

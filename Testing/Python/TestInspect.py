@@ -116,7 +116,7 @@ def test_labels_that_a_header_scales_a_little_are_rounded(tmp_path):
             found = inspect(path, "--as-labels")
             assert found["range"] == [0.0, 17.0] and any("rounded" in note for note in found["notes"])
             continue
-        with pytest.raises(ValueError, match="no numbers of labels"):
+        with pytest.raises(ValueError, match="not label numbers"):
             inspect(path, "--as-labels")
 
 

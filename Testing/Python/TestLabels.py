@@ -96,7 +96,7 @@ def test_numbers_of_a_table_that_are_in_no_voxel_are_told():
 def test_labels_that_miss_the_volume_are_told(origin):
     """Labels that lie just beyond a face are reported, too: their first voxel is one voxel beyond the volume's last
     voxel."""
-    with pytest.warns(UserWarning, match="no voxel of the volume has a label: all are 0, of another scan"):
+    with pytest.warns(UserWarning, match="no voxel of the volume has a label: the labels are all 0, or belong to another scan"):
         assert felt(labels=image(LABELS, origin=origin), materials={1: dict(stiffness=200)}) == [1.0, 1.0]
     turned = image(LABELS, origin=(23, 16, 0))
     turned.SetDirectionMatrix(-1, 0, 0, 0, -1, 0, 0, 0, 1)
@@ -108,7 +108,7 @@ def test_labels_that_miss_the_volume_are_told(origin):
 
 
 def test_empty_labels_are_told():
-    with pytest.warns(UserWarning, match="no voxel of the volume has a label: all are 0"):
+    with pytest.warns(UserWarning, match="no voxel of the volume has a label: the labels are all 0"):
         assert felt(labels=LABELS * 0) == [1.0, 1.0]
 
 
@@ -272,13 +272,13 @@ def test_labels_that_nifti_scales(tmp_path):
         assert felt_of(file, volume, at) == [0.4, 1.6], (slope, intercept)
     write_nifti(file, LABELS, (1, 1, 1), ORIGIN)
     scale(file, 0.3, 0.0)
-    with pytest.raises(ValueError, match="(?s)no numbers of labels, such as 0.3.*with the slope 1"):
+    with pytest.raises(ValueError, match="(?s)not label numbers, such as 0.3.*with the slope 1"):
         felt_of(file, volume, at)
     scale(file, 1.0, 0.0)
     assert felt_of(file, volume, at) == [0.4, 1.6]
 
 
-PROMISES = "more samples than|promises voxels that are not in the file"
+PROMISES = "more samples than|announces more voxels than the file has"
 
 
 def test_meta_images_that_vtk_does_not_know(tmp_path):
@@ -298,7 +298,7 @@ def test_meta_images_that_vtk_does_not_know(tmp_path):
     write(LABELS.astype(np.int64), compressed=True)
     assert felt_of(file, volume, at) == [0.4, 1.6]
     for labels, options, said in (
-            (LABELS, dict(sizes=(24, 17, 16, 2)), "(?s)several volumes.* into a file of its own"), (LABELS, dict(type_name="MET_STRING"), "of another type"),
+            (LABELS, dict(sizes=(24, 17, 16, 2)), "(?s)several volumes.* into its own file"), (LABELS, dict(type_name="MET_STRING"), "of another type"),
             (LABELS, dict(sizes=(24, 17, 33)), PROMISES),
             (LABELS, dict(sizes=(40000, 40000, 40000)), PROMISES),
             (LABELS, dict(sizes=(40000, 40000, 40000), compressed=True), PROMISES),
@@ -355,7 +355,7 @@ def test_nifti_whose_header_lies(tmp_path):
     whole = bytearray(file.read_bytes())
     struct.pack_into("<8h", whole, 40, 3, 32767, 32767, 32767, 1, 1, 1, 1)
     file.write_bytes(whole)
-    with pytest.raises(ValueError, match="its header promises voxels that are not in the file"):
+    with pytest.raises(ValueError, match="its header announces more voxels than the file has"):
         press(5, labels=file)
 
 
@@ -416,7 +416,7 @@ def test_files_of_labels_that_cannot_be(tmp_path):
     with pytest.raises(ValueError, match="labels.seg.nrrd.*whole numbers"):
         press(5, labels=file)
     (tmp_path / "labels.xyz").write_bytes(b"1")
-    with pytest.raises(ValueError, match="ending"):
+    with pytest.raises(ValueError, match="extension"):
         press(5, labels=tmp_path / "labels.xyz")
 
 

@@ -259,7 +259,7 @@ def test_a_time_and_a_channel_are_chosen_by_a_number(zarr):
             assert part.GetPointData().GetScalars().GetRange() == (value, value)
             assert source.GetCoarseImage().GetScalarRange() == (value, value)
     for number in (-1, 7):
-        with pytest.raises(ValueError, match=f"6 volumes, and none with the number {number}. Cure: take series=1 to series=6"):
+        with pytest.raises(ValueError, match=f"6 volumes, and none with the number {number}. Cure: use series=1 to series=6"):
             open_large("bed.zarr", series=number)
     zarr.opened = make_ome()
     with pytest.raises(ValueError, match="Cure: leave series out"):

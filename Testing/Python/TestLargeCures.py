@@ -586,5 +586,5 @@ def test_a_number_that_no_volume_has(tmp_path):
     one = str(tiff(tmp_path / "b.tif"))
     with Errors(source) as errors:
         assert not source.OpenFile(one, 1)
-    assert "none can be chosen by a number. Leave Series out." in errors[0]
+    assert "which needs no number. Leave Series out." in errors[0]
     assert source.OpenFile(one) and source.GetNumberOfSeries() == 0 and source.GetSeriesNumber() == 0

@@ -375,7 +375,7 @@ speed
     reader.SetFileName(str(path))
     with Errors(reader) as errors:
         reader.Update()
-    assert "take another of the 2 that it has, such as --series 2 (Series = 2)" in errors[0], errors
+    assert "use another of the 2 that it has, such as --series 2 (Series = 2)" in errors[0], errors
     reader.SetSeries(2)
     reader.Update()
     assert reader.GetOutput().GetScalarRange() == (0.0, 215.0)

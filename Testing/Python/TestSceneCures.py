@@ -198,21 +198,27 @@ def test_cures_of_what_is_shown(words):
         scene.end()
 
 
-@result("Cure: take one of these:", 'Cure: SetKey("…", "") before, or another key for it', "pass the style to SetInteractorStyle() of the window's interactor",
+NOTHING = [f"There {what}: call SetDevice()" for what in ("is no method to change", "are no settings to compare", "is nothing to touch with")]
+
+
+@result("Cure: use one of these:", 'Cure: call SetKey("…", "") before, or choose another key', "pass the style to SetInteractorStyle() of the window's interactor",
         "call SetDevice() before TouchVolume()", "call vtkVolume::SetMapper(), for example with a vtkGPUVolumeRayCastMapper",
-        "Cure: AddTouchedVolume(volume, filter)", "Cure: a vtkVolumeHapticsFilter for each volume")
+        *NOTHING, "Cure: AddTouchedVolume(volume, filter)", "Cure: use one vtkVolumeHapticsFilter for each volume")
 def styles(_):
     s, style, bare = Scene(), vtkInteractorStyleHaptic(), vtkVolume()
     action = next(a for a in map(s.style.GetKeyActions().GetValue, range(s.style.GetKeyActions().GetNumberOfValues()))
                   if a != "Touch" and s.style.GetKey(a))
     taken = s.style.GetKey("Touch")
-    with told(s.style, "Cure: take one of these:"):
+    with told(s.style, "Cure: use one of these:"):
         assert not s.style.SetKey("Feel", "F11")
     with Errors(s.style) as errors:
         assert not s.style.SetKey(action, taken)
-    assert len(errors) == 1 and 'Cure: SetKey("Touch", "") before, or another key for it' in errors[0], errors
-    TOLD.add('Cure: SetKey("…", "") before, or another key for it')
+    assert len(errors) == 1 and 'Cure: call SetKey("Touch", "") before, or choose another key' in errors[0], errors
+    TOLD.add('Cure: call SetKey("…", "") before, or choose another key')
     assert s.style.SetKey(action, "F11") and s.style.SetKey("Touch", "") and s.style.SetKey(action, taken)
+    for words, act in zip(NOTHING, (style.NextMethod, style.SwapSettings, style.TouchModeOn)):
+        with told(style, words):
+            act()
     with told(style, "call SetDevice() before TouchVolume()"):
         style.TouchVolume(s.volume)
     style.SetDevice(s.device)
@@ -227,7 +233,7 @@ def styles(_):
     s.style.TouchVolume(s.volume)
     with told(s.style, "Cure: AddTouchedVolume(volume, filter)"):
         assert not s.style.AddTouchedVolume(bare, None)
-    with told(s.style, "Cure: a vtkVolumeHapticsFilter for each volume"):
+    with told(s.style, "Cure: use one vtkVolumeHapticsFilter for each volume"):
         assert not s.style.AddTouchedVolume(bare, s.haptics)
     assert s.style.AddTouchedVolume(bare, vtkVolumeHapticsFilter()) and s.style.GetNumberOfTouchedVolumes() == 2
     s.interactor.SetInteractorStyle(style)

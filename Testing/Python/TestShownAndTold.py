@@ -121,7 +121,7 @@ def _():
 
 
 for mode in ("MaximumIntensity", "MinimumIntensity", "AverageIntensity", "Additive", "Slice"):
-    @told("Its mapper projects or slices, so that what lies in front of what is seen is felt",
+    @told("Its mapper projects or slices, so that also hidden parts in front of the picture are felt",
           lambda s: s.mapper.SetBlendModeToComposite())
     def _(mode=mode):
         s = gpu_mapper()

@@ -83,7 +83,7 @@ def test_a_shell_of_ones_own_is_a_tool():
     assert shell.GetText() == "tool with a shape"
 
 
-@pytest.mark.parametrize("name, words", [("no.stl", "no such file"), ("tool.step", "unknown ending")])
+@pytest.mark.parametrize("name, words", [("no.stl", "no such file"), ("tool.step", "unknown extension")])
 def test_files_that_are_no_tools(name, words):
     with pytest.raises(ValueError, match=words):
         press(name)

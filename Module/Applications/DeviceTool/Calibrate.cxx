@@ -253,7 +253,7 @@ int AskForGrams(ToolStreams streams, double& grams)
     std::string text;
     if (!std::getline(streams.In, text))
     {
-      streams.Errors << "No number was typed.\n";
+      streams.Errors << "No number was entered.\n";
       return -1;
     }
     if (text.empty())
@@ -266,7 +266,7 @@ int AskForGrams(ToolStreams streams, double& grams)
     }
     streams.Out << "\"" << text << "\" is not a number of grams, such as 153 or 152.5.\n";
   }
-  streams.Errors << "No number of grams was typed: nothing is stored.\n";
+  streams.Errors << "No number of grams was entered: nothing is stored.\n";
   return -1;
 }
 
@@ -340,7 +340,7 @@ bool Calibrate(ToolDevice& device, const ToolOptions& options, ToolStreams strea
   streams.Out << options.Id << " is " << device->GetCalibrationText() << ".\n";
   if (!device->GetSignsConfirmed())
   {
-    streams.Out << "It was never found out whether it moves with the force: that comes first.\n";
+    streams.Out << "Its force directions were never confirmed: that comes first.\n";
     if (!ConfirmSigns(device, options.Id.c_str(), streams))
     {
       return false;

@@ -85,7 +85,7 @@ int List(std::ostream& out)
   for (vtkIdType i = 0; i < missing->GetNumberOfRows(); ++i)
   {
     out << std::left << std::setw(16) << missing->GetValueByName(i, "Kind").ToString()
-        << "  can't be had yet:\n"
+        << "  can't be used yet:\n"
         << std::string(18, ' ') << missing->GetValueByName(i, "State").ToString() << "\n";
   }
   return 0;
@@ -199,8 +199,8 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
   if (isStick && !options.HasNewtons)
   {
     streams.Out << "That is if its force at full scale is " << options.Newtons[0]
-                << " N. Most devices have less and are hardly felt: measure it, then say so with "
-                   "--newtons.\n";
+                << " N. Most devices have less and are hardly felt: measure it, then give it "
+                   "with --newtons.\n";
   }
   if (!streams.AskForEnter(
         "Take the device in your hand and press Enter to arm it; Ctrl+C ends at once."))
@@ -209,10 +209,9 @@ bool Test(ToolDevice& device, const ToolOptions& options, ToolStreams streams)
   }
   if (!device->GetSignsConfirmed())
   {
-    streams.Out
-      << "It was never found out whether it moves with the force: hold it loosely and keep the "
-         "hand still. For about ten seconds it pushes gently along each axis; then comes the "
-         "wall.\n";
+    streams.Out << "Its force directions were never confirmed: hold it loosely and keep the hand "
+                   "still. For about ten seconds it pushes gently along each axis; then comes the "
+                   "wall.\n";
   }
   device->Arm();
   return Watch(device, options.Seconds, streams);

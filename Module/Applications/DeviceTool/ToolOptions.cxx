@@ -129,7 +129,7 @@ std::string CheckOptions(const ToolOptions& options)
   {
     return "--weight and --scale are for calibrate. Try --help.";
   }
-  return !calibrates && options.IsAxisNegative ? "--axis wants x, y or z." : "";
+  return !calibrates && options.IsAxisNegative ? "--axis needs x, y or z." : "";
 }
 
 } // namespace
@@ -154,7 +154,7 @@ bool ReadToolOptions(
   const auto command = commands.find(first);
   if (command == commands.end())
   {
-    error = first.empty() ? "What is to be done? Try --help."
+    error = first.empty() ? "No command was given. Try --help."
                           : "There is no command \"" + first + "\". Try --help.";
     return false;
   }

@@ -35,7 +35,7 @@
 namespace
 {
 constexpr const char* LABELS_OFFERED =
-  "it looks like a label map: F4, or --as-labels, takes it as labels";
+  "it looks like a label map: F4, or --as-labels, treats it as one";
 
 enum ExitCode
 {
@@ -252,7 +252,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   if (volume.Large && options.Live)
   {
     throw Explore::InputError(options.VolumePath,
-      "is read where the hand is, and recordings are of volumes in memory", "leave --live out");
+      "is read around the hand, and only volumes in memory can be recorded", "leave out --live");
   }
   if (!options.Displacements.empty())
   {
@@ -285,7 +285,7 @@ int Run(const Explore::Options& options, Explore::FileChoice& next)
   }
   if (options.Sound)
   {
-    std::cerr << "--sound: there is no window. Cure: name a file, as in --sound touch.wav."
+    std::cerr << "--sound: there is no window. Cure: give a file, as in --sound touch.wav."
               << std::endl;
   }
   Explore::MakeFolder(options.Folder);

@@ -61,7 +61,7 @@ Value Choose(
   {
     list += (list.empty() ? "" : ", ") + known.first;
   }
-  throw InputError(option + " '" + text + "'", "is not known", "take one of: " + list);
+  throw InputError(option + " '" + text + "'", "is not known", "use one of: " + list);
 }
 
 /// Returns a map of all methods' names to themselves.
@@ -90,7 +90,7 @@ std::array<double, 2> ParseNewtons(const std::string& text)
   if (!(std::abs(first) <= MOST_NEWTONS) || !(std::abs(second) <= MOST_NEWTONS))
   {
     throw InputError("--newtons '" + text + "'", "is not a force in newtons",
-      "take -100 to 100, or two such numbers, as in 2.5,0 for a wheel");
+      "use -100 to 100, or two such numbers, as in 2.5,0 for a wheel");
   }
   return { first, second };
 }
@@ -102,7 +102,7 @@ int ParseWidth(const std::string& text)
   if (text.empty() || *end != '\0' || width < SMALLEST_WIDTH || width > LARGEST_WIDTH)
   {
     throw InputError(
-      "--size '" + text + "'", "is not a width in pixels", "take a whole number from 100 to 8000");
+      "--size '" + text + "'", "is not a width in pixels", "use a whole number from 100 to 8000");
   }
   return static_cast<int>(width);
 }
@@ -114,7 +114,7 @@ int ParseSeries(const std::string& text)
   if (!(number >= 1.0) || number > most || number != std::floor(number))
   {
     throw InputError("--series '" + text + "'", "is not the number of a series",
-      "take 1 or more; without --series, the largest is taken and all are listed");
+      "use 1 or more; without --series, the largest is used and all are listed");
   }
   return static_cast<int>(number);
 }
@@ -131,8 +131,8 @@ void CheckMeasurementsFile(const std::string& name)
     vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name));
   if (ending != ".csv" && ending != ".vtp" && ending != ".json")
   {
-    throw InputError("--measurements " + name, "has an unknown ending",
-      "take one that ends in .csv, .vtp or .mrk.json");
+    throw InputError("--measurements " + name, "has an unknown extension",
+      "use one that ends in .csv, .vtp or .mrk.json");
   }
 }
 
@@ -140,11 +140,11 @@ void CheckMovieFile(const std::string& name)
 {
   if (vtksys::SystemTools::LowerCase(vtksys::SystemTools::GetFilenameLastExtension(name)) != ".ogv")
   {
-    throw InputError("--movie " + name, "has an unknown ending", "take one that ends in .ogv");
+    throw InputError("--movie " + name, "has an unknown extension", "use one that ends in .ogv");
   }
   if (!Explore::MovieFile::IsAvailable())
   {
-    throw InputError("--movie", "the VTK of this program can't write movies",
+    throw InputError("--movie", "this program's VTK can't write movies",
       "build it with a VTK that has the module IOOggTheora, as Debian's has");
   }
 }
@@ -157,7 +157,7 @@ void SetSound(Options& options, const std::string& file)
     if (!IsSoundFile(file))
     {
       throw InputError(
-        "--sound " + file, "is not the name of a sound file", "take one that ends in .wav");
+        "--sound " + file, "is not the name of a sound file", "use one that ends in .wav");
     }
     options.SoundFile = file;
     return;
@@ -166,7 +166,7 @@ void SetSound(Options& options, const std::string& file)
   {
     throw InputError("--sound", "this program was built without PulseAudio's library",
       "build it from its sources with the package libpulse-dev, as Examples/explore.sh does, or "
-      "name a file, as in --sound touch.wav");
+      "give a file, as in --sound touch.wav");
   }
   options.Sound = true;
 }
@@ -176,12 +176,13 @@ void SetDevice(Options& options, const std::string& id)
 {
   if (options.HasDevice && !options.Device.SecondId.empty())
   {
-    throw InputError("--device " + id, "is a third device", "name two devices at most, one a hand");
+    throw InputError(
+      "--device " + id, "is a third device", "give two devices at most, one for each hand");
   }
   if (options.HasDevice && (id == "virtual" || id.compare(0, 7, "replay:") == 0))
   {
-    throw InputError("--device " + id, "can't be the second hand, which a person has to lead",
-      "name it before the real device");
+    throw InputError("--device " + id, "can't be the second device, which a person has to move",
+      "give it before the real device");
   }
   (options.HasDevice ? options.Device.SecondId : options.Device.Id) = id;
   options.HasDevice = true;
@@ -241,7 +242,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
     if (value != "needle" && value != "burr" && value != "point" && !Explore::IsToolFile(value))
     {
       throw InputError("--tool '" + value + "'", "is not known",
-        "take needle, burr, or point, or a surface that ends in .stl, .ply, .obj or .vtp");
+        "use needle, burr, or point, or a surface that ends in .stl, .ply, .obj or .vtp");
     }
     if (Explore::IsToolFile(value))
     {
@@ -296,7 +297,7 @@ void SetOption(Options& options, const std::string& name, const std::string& val
       ".vti")
     {
       throw InputError(
-        "--write-volume " + value, "has an unknown ending", "take one that ends in .vti");
+        "--write-volume " + value, "has an unknown extension", "use one that ends in .vti");
     }
     options.WrittenVolume = value;
   }
@@ -403,8 +404,8 @@ Options ParseOptions(int argc, char* argv[])
   }
   if (options.VolumePath.empty() && !options.Help && !options.CheckDisplay)
   {
-    throw InputError("volumehaptics-explore", "no volume was named",
-      "name a volume file or a DICOM folder; Examples/explore.sh gets a head CT by itself");
+    throw InputError("volumehaptics-explore", "no volume was given",
+      "give a volume file or a DICOM folder; Examples/explore.sh finds a head CT by itself");
   }
   if (!options.How.Modes.empty() || !options.How.Guide.empty())
   {
@@ -413,21 +414,21 @@ Options ParseOptions(int argc, char* argv[])
   if (!options.Replay.empty() && !options.Device.SecondId.empty())
   {
     throw InputError("--replay " + options.Replay, "shows the touch of one hand",
-      "name one device, or leave --replay out");
+      "give one device, or leave out --replay");
   }
   if (options.Json && !options.Inspect)
   {
-    throw InputError("--json", "is how --inspect tells what it found", "add --inspect");
+    throw InputError("--json", "is a format of what --inspect finds", "add --inspect");
   }
   if (options.AsLabels && !options.Labels.empty())
   {
-    throw InputError(
-      "--as-labels", "is for a volume that is a label map itself", "leave it out, or --labels");
+    throw InputError("--as-labels", "is for a volume that is a label map itself",
+      "leave out this option, or --labels");
   }
   if (!options.Materials.empty() && options.Labels.empty() && !options.AsLabels)
   {
     throw InputError("--materials " + options.Materials.front(), "has no labels to describe",
-      "name the segmentation, as in --labels Liver.seg.nrrd");
+      "give the segmentation, as in --labels Liver.seg.nrrd");
   }
   return options;
 }
@@ -436,7 +437,7 @@ std::string NameOptions(const std::string& text)
 {
   static const std::pair<std::regex, const char*> words[] = {
     { std::regex("\\bSeries = "), "--series " },
-    { std::regex("eave Series out"), "eave --series out" },
+    { std::regex("eave Series out"), "eave out --series" },
     { std::regex("\\bArrayName = "), "--array " },
   };
   std::string named = text;

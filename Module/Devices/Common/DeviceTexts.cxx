@@ -20,7 +20,7 @@ int ReadDeviceNumber(const std::string& id, const std::string& kind, std::string
     std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (id.compare(0, kind.size() + 1, kind + ":") != 0 || !isNumber)
   {
-    error = "\"" + id + "\" is no device id: give \"" + kind + "\" or \"" + kind +
+    error = "\"" + id + "\" is not a device id: give \"" + kind + "\" or \"" + kind +
       ":N\", with N counting from 0.";
     return -1;
   }

@@ -113,7 +113,7 @@ void FalconController::UpdateHoming(const FalconReport& report) noexcept
   if (!isFirst && !this->IsPossible(pose.Position, this->SincePose))
   {
     return this->Lose(
-      "The device's position jumped as no hand moves it: its encoders have lost "
+      "The device's position jumped as no hand can move: its encoders have lost "
       "counts. Home() and Arm() again; if it comes back, switch the device off and on.");
   }
   this->Pose = pose;

@@ -29,7 +29,7 @@ const char* FalconLoaderFaultText(FalconLoaderFault fault) noexcept
     case FalconLoaderFault::NoImage:
       return "the firmware image is empty";
     case FalconLoaderFault::Refused:
-      return "the device did not take a request or a write";
+      return "the device rejected a request or a write";
     case FalconLoaderFault::NoGreeting:
       return "the device's loader does not answer";
     case FalconLoaderFault::WrongGreeting:

@@ -129,8 +129,8 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (arguments.size() <= FirstWord)
   {
     std::fputs("volumehaptics-guard is started by the library that needs it: it talks to a haptic "
-               "device, and sends zero force when the program that uses the device ends or stands "
-               "still.\n",
+               "device, and sends zero force when the program that uses the device ends or "
+               "hangs.\n",
       stderr);
     return 2;
   }
@@ -142,8 +142,8 @@ int RunGuard(const std::vector<std::string>& arguments, const GuardedDriverMaker
   if (arguments[Layout] != GuardMemory::GetLayout())
   {
     Answer(link, '-',
-      "The guard of the device is of another version than this library. Install "
-      "both anew, from the same package.");
+      "The guard of the device has another version than this library. Reinstall "
+      "both, from the same package.");
     return 1;
   }
   if (!IsSameClock(arguments[Clock]))

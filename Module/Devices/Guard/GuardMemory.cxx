@@ -27,8 +27,8 @@ static_assert(std::atomic<std::uint32_t>::is_always_lock_free &&
 
 std::string SystemError(const char* what)
 {
-  return std::string("The memory that is shared with the guard process can't be had (") + what +
-    ": " + std::strerror(errno) + ").";
+  return std::string("The memory that is shared with the guard process can't be allocated (") +
+    what + ": " + std::strerror(errno) + ").";
 }
 
 } // namespace

@@ -30,7 +30,7 @@ constexpr int OpeningTime = 20000;
 
 const char* const GuardCure =
   "Set the environment variable VOLUMEHAPTICS_GUARD to the path of volumehaptics-guard, which is "
-  "installed with this library; or set it to \"off\", or say UseGuardOff(), to use the device "
+  "installed with this library; or set it to \"off\", or call UseGuardOff(), to use the device "
   "without a guard: then it may keep its last force if this program is killed or stopped.";
 
 /** Resets signals and file descriptors to the state that a new program expects. */

@@ -16,8 +16,8 @@ std::string MakeNoGuardText(const std::string& device)
 {
   return "The " + device +
     " has no watchdog, and this system has no guard for it, as Linux has: it may keep its last "
-    "force if this program is killed or stopped. If you can do with that, keep its power switch "
-    "within reach, and say UseGuardOff(), or set the environment variable VOLUMEHAPTICS_GUARD to "
+    "force if this program is killed or stopped. If you accept that, keep its power switch "
+    "within reach, and call UseGuardOff(), or set the environment variable VOLUMEHAPTICS_GUARD to "
     "\"off\".";
 }
 

@@ -36,7 +36,7 @@ constexpr const char* AskForCalibration =
   "is not calibrated: put its handle into the inkwell, or lead it as Haply's Hub says.";
 constexpr const char* AskForReady = "is not ready: look at its light and its power.";
 constexpr const char* AskForOrigin =
-  "does not tell where its origin is: update Haply's Inverse service, and start it again.";
+  "does not report its origin: update Haply's Inverse service, and start it again.";
 constexpr const char* AfterLoss = " Home() and Arm() again.";
 
 /** Returns whether a preset has the arm in front of the user, which means Haply's own axes. */
@@ -70,7 +70,7 @@ bool HaplyDriver::OpenConnection(
     ServoClock::Now() + static_cast<std::int64_t>(time * ServoClock::NanosecondsPerSecond);
   if (mustStop() || this->States.Receive(this->Text, end) != WebSocketClient::Outcome::Message)
   {
-    error = "Haply's Inverse service does not tell its devices. Start it again.";
+    error = "Haply's Inverse service does not list its devices. Start it again.";
     return false;
   }
   if (const char* const fault = ReadHaplyMessage(this->Text, this->Message))
@@ -114,7 +114,7 @@ bool HaplyDriver::SendFirstMessage(std::string& error)
     [this](const HaplyArm& other) { return other.Id == this->Id; });
   if (arm == this->Message.Arms.end())
   {
-    error = this->Label + " is not plugged in any more.";
+    error = this->Label + " is no longer plugged in.";
     return false;
   }
   if (this->IsTaken())
@@ -299,7 +299,7 @@ void HaplyDriver::ReceiveStates(HardwareExchange& exchange)
         if (++taken > MostStates)
         {
           return this->Lose(exchange,
-            std::string("is gone: the Inverse service sends states without end.") + AfterLoss);
+            std::string("is gone: the Inverse service sends states without a break.") + AfterLoss);
         }
         this->Newest.swap(this->Text);
         break;
@@ -332,8 +332,8 @@ void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
   if (arm.IsSpoilt || (arm.Position && !IsFinite(*arm.Position)))
   {
     return this->Lose(exchange,
-      std::string("is gone: the Inverse service tells its position in something else than "
-                  "numbers.") +
+      std::string("is gone: the Inverse service reports a position that is not a "
+                  "number.") +
         AfterLoss);
   }
   if (!arm.Position)
@@ -366,14 +366,15 @@ void HaplyDriver::ReceiveState(HardwareExchange& exchange, const HaplyArm& arm)
   if (transform.IsScaled())
   {
     return this->Lose(exchange,
-      std::string("has a workspace that is scaled, so that forces would do another work than is "
+      std::string("has a scaled workspace, in which forces would do other work than "
                   "computed. Set its scale to 1 in Haply's Hub.") +
         AfterLoss);
   }
   if (this->IsReady && (hasStepped || isMoved))
   {
     return this->Lose(exchange,
-      std::string("was moved without the hand. Did Haply's Hub change its settings?") + AfterLoss);
+      std::string("jumped while no hand moved it. Did Haply's Hub change its settings?") +
+        AfterLoss);
   }
   DeviceSample sample;
   sample.Tip = tip;
@@ -417,8 +418,7 @@ void HaplyDriver::UpdateStatus(HardwareExchange& exchange, const HaplyArm& arm)
   if (this->IsReady && (!isCalibrated || !isReady))
   {
     return this->Lose(exchange,
-      std::string(isCalibrated ? "is not ready any more." : "has lost its calibration.") +
-        AfterLoss);
+      std::string(isCalibrated ? "is no longer ready." : "has lost its calibration.") + AfterLoss);
   }
   const char* const request = !isCalibrated ? AskForCalibration
     : !isReady                              ? AskForReady
@@ -468,7 +468,7 @@ void HaplyDriver::ReceiveEvents(HardwareExchange& exchange)
     else if (this->IsReady && what != this->Note)
     {
       this->Note = what;
-      this->Report(exchange, DeviceStage::Ready, "tells a warning: " + what + ".");
+      this->Report(exchange, DeviceStage::Ready, "warns: " + what + ".");
     }
   }
   if (this->IsReady && this->HasEvents && !this->Events.IsOpen())
@@ -494,7 +494,7 @@ void HaplyDriver::CheckSilence(HardwareExchange& exchange)
       this->HeardAt == this->ToldAt
         ? "is gone: the Inverse service does not answer. Start it again, then Home() and Arm() "
           "again."
-        : "is gone: the Inverse service does not tell its position. Look after its cable and its "
+        : "is gone: the Inverse service does not report its position. Check its cable and its "
           "power, then Home() and Arm() again.");
   }
 }

@@ -70,7 +70,8 @@ std::unique_ptr<DeviceBackend> MakeHaply(
   if (id != "haply" && wanted.empty())
   {
     error = "\"" + id +
-      "\" is no device id: give \"haply\", or \"haply:ID\" with the name that Haply's Hub shows.";
+      "\" is not a device id: give \"haply\", or \"haply:ID\" with the name that Haply's Hub "
+      "shows.";
     return nullptr;
   }
   return std::make_unique<HardwareDevice>(std::make_unique<HaplyDriver>(wanted));

@@ -18,10 +18,10 @@ using Json = nlohmann::json;
 
 constexpr const char* NoObject = "sent something that is not a JSON object";
 constexpr const char* TooDeep = "sent JSON with too many brackets in brackets";
-constexpr const char* TooMany = "told of too many devices";
-constexpr const char* NoDevices = "sent a list of devices that is none";
-constexpr const char* NoId = "told of an arm without an identifier";
-constexpr const char* NoVersion = "does not tell its version";
+constexpr const char* TooMany = "listed too many devices";
+constexpr const char* NoDevices = "sent an invalid list of devices";
+constexpr const char* NoId = "listed an arm without an identifier";
+constexpr const char* NoVersion = "does not report its version";
 constexpr std::size_t MostDevices = 64;
 /** Limit of the nesting of brackets. The messages in the documentation have seven levels. */
 constexpr int DeepestBrackets = 64;

@@ -21,7 +21,7 @@ constexpr double AnswerTime = 0.02;
 constexpr int MostRefusals = 5;
 
 constexpr const char* AskForPose =
-  "has to be told where its arm is: put the arm into its pose for calibration, hold it still, and "
+  "needs to know where its arm is: put the arm into its pose for calibration, hold it still, and "
   "press Home().";
 constexpr const char* AskForButton = "has to be calibrated by its firmware first: put the arm into "
                                      "its pose for calibration, press the "
@@ -165,10 +165,10 @@ bool HfabDriver::Shake(const std::function<bool()>& mustStop, std::string& error
     error = this->Label +
       (reply == Reply::Gone ? " was unplugged. Plug it in again."
           : this->Reader.GetBadLines() > 0
-          ? " sends lines that are none of an hfab controller. Give "
+          ? " sends lines that an hfab controller does not send. Give "
             "the port of the controller."
           : " does not answer. Give the port of the controller, and "
-            "look after its firmware.");
+            "check its firmware.");
     return false;
   }
   this->Model = this->Reader.Get().Model;
@@ -341,7 +341,7 @@ void HfabDriver::Round(HardwareExchange& exchange)
     if (ServoClock::SecondsSince(this->LastAnswer) > SilenceTime)
     {
       this->Lose(exchange,
-        "does not answer. Look after its cable and its power, then press Home() and put the arm "
+        "does not answer. Check its cable and its power, then press Home() and put the arm "
         "into its pose for calibration.");
     }
     return;
@@ -369,7 +369,7 @@ bool HfabDriver::ReceiveAnswer(HardwareExchange& exchange)
     if (++this->Refusals > MostRefusals)
     {
       this->Lose(exchange,
-        "does not understand what is sent to it. Look after its cable and firmware, then press "
+        "does not understand what is sent to it. Check its cable and firmware, then press "
         "Home() and put the arm into its pose for calibration.");
     }
     return false;
@@ -431,7 +431,8 @@ void HfabDriver::UpdateHand(HardwareExchange& exchange)
   if (!exists || (this->HasTip && Norm(tip - this->Tip) > farthest))
   {
     this->Lose(exchange,
-      "reads a jump of its arm that no hand makes: its button was pressed, or its encoders have "
+      "reports a jump of its arm that no hand can make: its button was pressed, or its encoders "
+      "have "
       "lost their zero. Press Home() and put the arm into its pose for calibration.");
     return;
   }

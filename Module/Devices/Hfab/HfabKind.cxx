@@ -42,7 +42,7 @@ std::unique_ptr<DeviceBackend> MakeHfab(
   const std::string port = colon == std::string::npos ? std::string() : id.substr(colon + 1);
   if (colon != std::string::npos && (port.empty() || !SerialPort::IsPath(port)))
   {
-    error = "\"" + id + "\" is no device id: give \"hfab\" or \"hfab:PORT\", such as " +
+    error = "\"" + id + "\" is not a device id: give \"hfab\" or \"hfab:PORT\", such as " +
       "\"hfab:" + SerialPort::Example + "\".";
     return nullptr;
   }

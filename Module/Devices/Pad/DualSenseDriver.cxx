@@ -48,7 +48,7 @@ std::vector<HidDeviceInfo> DualSenseDriver::Choose(std::string& error) const
   const std::vector<HidDeviceInfo> pads = ListHidDevices(&DualSenseDriver::IsDualSense);
   if (static_cast<std::size_t>(this->Number) >= pads.size())
   {
-    error = "The DualSense is not there any more. Plug it in, or switch it on.";
+    error = "The DualSense is no longer connected. Plug it in, or switch it on.";
     return {};
   }
   return { pads[static_cast<std::size_t>(this->Number)] };
@@ -140,16 +140,15 @@ bool DualSenseDriver::Listen(HardwareExchange& exchange)
     if (this->BadReports > MostBadReports)
     {
       this->Lose(exchange,
-        (std::string("sent ") + wrong +
-          ", again and again. Connect it anew, then Home() and Arm().")
+        (std::string("sent ") + wrong + ", again and again. Reconnect it, then Home() and Arm().")
           .c_str());
       return false;
     }
   }
   if (this->IsSilent(hasNews))
   {
-    this->Lose(exchange,
-      "does not report any more. Look after its cable or battery, then Home() and Arm() again.");
+    this->Lose(
+      exchange, "no longer reports. Check its cable or battery, then Home() and Arm() again.");
     return false;
   }
   return true;
@@ -169,7 +168,7 @@ void DualSenseDriver::Show(HardwareExchange& exchange)
     !this->Send(strong, weak))
   {
     this->Lose(exchange,
-      "does not take what is sent to it. Look after its cable or battery, then Home() and Arm() "
+      "does not accept what is sent to it. Check its cable or battery, then Home() and Arm() "
       "again.");
     return;
   }

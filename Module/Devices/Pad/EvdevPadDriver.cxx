@@ -233,7 +233,7 @@ void EvdevPadDriver::Round(HardwareExchange& exchange)
     this->Gone = errno == ENODEV;
     this->Lose(exchange,
       this->Gone ? PadUnplugged
-                 : "does not take what is sent to it. Look after its cable or battery, then Home() "
+                 : "does not accept what is sent to it. Check its cable or battery, then Home() "
                    "and Arm() again.");
     return;
   }

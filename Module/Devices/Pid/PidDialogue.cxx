@@ -80,7 +80,7 @@ void PidDialogue::Sent(bool went)
   }
   if (!went)
   {
-    this->Fail("The device does not take force-feedback reports");
+    this->Fail("The device does not accept force-feedback reports");
     return;
   }
   this->Advance();

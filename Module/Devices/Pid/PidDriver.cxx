@@ -267,7 +267,7 @@ void PidDriver::Begin(HardwareExchange& exchange, bool)
   this->LastPacketTime = ServoClock::Now();
   this->LastRound = ServoClock::Now();
   this->Drain();
-  this->Report(exchange, DeviceStage::Homing, "is being made ready.");
+  this->Report(exchange, DeviceStage::Homing, "is being prepared.");
 }
 
 void PidDriver::Work(HardwareExchange& exchange)
@@ -287,7 +287,7 @@ void PidDriver::Work(HardwareExchange& exchange)
     silence > MissedGaps * static_cast<double>(this->LongestGap))
   {
     this->Lose(exchange,
-      "does not report where it is any more. Look after its cable and its power, then Home() and "
+      "no longer reports its position. Check its cable and its power, then Home() and "
       "Arm() again; if that does not help, plug it in again, then Open() and Start() it.");
     return;
   }
@@ -328,7 +328,7 @@ void PidDriver::GoOnWithDialogue(HardwareExchange& exchange)
       break;
     case PidStep::Failed:
       this->Lose(exchange,
-        ("can't be made ready. " + this->Dialogue->GetError() +
+        ("can't be prepared. " + this->Dialogue->GetError() +
           ". End other programs that use it and plug it in again, then Open() and Start() it.")
           .c_str());
       break;
@@ -361,7 +361,7 @@ bool PidDriver::Listen(HardwareExchange& exchange)
     if (wrong)
     {
       const std::string text = std::string("sent ") + wrong +
-        ". Look after its cable and its firmware, then Home() and Arm() again.";
+        ". Check its cable and its firmware, then Home() and Arm() again.";
       this->Lose(exchange, text.c_str());
       return hasNews;
     }

@@ -37,7 +37,8 @@ std::unique_ptr<DeviceBackend> MakePid(
   if (!PidDriver::ReadNumbers(id, numbers))
   {
     error = "\"" + id +
-      "\" is no device id: give \"pid\", or \"pid:VVVV:PPPP\" with the device's vendor and product "
+      "\" is not a device id: give \"pid\", or \"pid:VVVV:PPPP\" with the device's vendor and "
+      "product "
       "in four hexadecimal digits each.";
     return nullptr;
   }

@@ -147,7 +147,7 @@ std::shared_ptr<VendorLibrary> VendorLibrary::Load(
 std::string VendorLibrary::LastError(void* device) const
 {
   const char* const text = this->Table->LastError(device);
-  return text && *text ? text : "gives no reason.";
+  return text && *text ? text : "did not say why.";
 }
 
 bool VendorLibrary::Look(std::string& error)
@@ -515,7 +515,7 @@ void VendorDriver::Round(HardwareExchange& exchange)
   {
     this->Lose(exchange,
       "did not answer for " + std::to_string(static_cast<int>(1000.0 * time)) +
-        " ms. Look after its cable, then Home() and Arm() again.");
+        " ms. Check its cable, then Home() and Arm() again.");
   }
 }
 
@@ -525,8 +525,8 @@ void VendorDriver::ReceivePose(
   const Vector3 tip{ pose.Position[0], pose.Position[1], pose.Position[2] };
   if (!IsFinite(tip) || Norm(tip) > Farthest)
   {
-    this->Lose(exchange,
-      "told a position that can't be. Look after its cable, then Home() and Arm() again.");
+    this->Lose(
+      exchange, "reported an impossible position. Check its cable, then Home() and Arm() again.");
     return;
   }
   if (isNew || !this->IsReady)

@@ -82,7 +82,8 @@ std::unique_ptr<DeviceBackend> MakeVendor(
   if (!VendorFolder::IsName(plugin))
   {
     error = "\"" + id +
-      "\" is no device id: give \"vendor:PLUGIN\" or \"vendor:PLUGIN:N\", with the plug-in's name "
+      "\" is not a device id: give \"vendor:PLUGIN\" or \"vendor:PLUGIN:N\", with the plug-in's "
+      "name "
       "and N counting from 0, such as \"vendor:forcedimension\".";
     return nullptr;
   }

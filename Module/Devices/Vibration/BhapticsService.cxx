@@ -79,7 +79,7 @@ bool AskBhaptics(
   if (!isTold)
   {
     player.Close(BhapticsLastTime);
-    error = "bHaptics' Player does not tell which devices are connected. Update it, or start it "
+    error = "bHaptics' Player does not list the connected devices. Update it, or start it "
             "again.";
   }
   return isTold;
@@ -152,9 +152,8 @@ VibrationService::State BhapticsService::Show(double amplitude)
       case WebSocketClient::Outcome::Message:
         if (ReadBhapticsStatus(text, places) && !this->IsConnected(places))
         {
-          return this->Lose(
-            "is not connected to bHaptics' Player any more. Switch it on: it is then "
-            "opened by itself, and waits for Arm().");
+          return this->Lose("is no longer connected to bHaptics' Player. Switch it on: it is then "
+                            "opened by itself, and waits for Arm().");
         }
         break;
     }

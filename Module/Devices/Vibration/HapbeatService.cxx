@@ -38,7 +38,7 @@ std::string HapbeatService::GetName() const
 
 std::string HapbeatService::GetText() const
 {
-  return "does not answer any more. Check its battery and the network: it is then opened by "
+  return "no longer answers. Check its battery and the network: it is then opened by "
          "itself, and waits for Arm().";
 }
 

@@ -78,7 +78,7 @@ std::unique_ptr<DeviceBackend> MakeBhaptics(
   const auto& known = BhapticsPlaces;
   if (id != BhapticsId && std::find(known.begin(), known.end(), place) == known.end())
   {
-    error = "\"" + id + "\" is no device id. Give one of";
+    error = "\"" + id + "\" is not a device id. Give one of";
     for (const std::string& name : known)
     {
       error += std::string(" ") + BhapticsId + ":" + name + ",";
@@ -128,7 +128,7 @@ std::unique_ptr<DeviceBackend> MakeWeart(
   if (id != WeartId && hand != "LEFT" && hand != "RIGHT")
   {
     error = "\"" + id +
-      "\" is no device id: give \"vibration:weart\", \"vibration:weart:LEFT\" or "
+      "\" is not a device id: give \"vibration:weart\", \"vibration:weart:LEFT\" or "
       "\"vibration:weart:RIGHT\".";
     return nullptr;
   }
@@ -158,7 +158,7 @@ std::unique_ptr<DeviceBackend> MakeHapbeat(
     (colon != std::string::npos && !ReadPort(rest.substr(colon + 1), port)))
   {
     error = "\"" + id +
-      "\" is no device id: give the address of a Hapbeat, as "
+      "\" is not a device id: give the address of a Hapbeat, as "
       "\"vibration:hapbeat:192.168.1.50\", and its port if that is not 7700.";
     return nullptr;
   }

@@ -156,7 +156,7 @@ VibrationService::State WeartService::Show(double amplitude)
   if (!this->IsConnected())
   {
     return this->Tell(State::Gone,
-      "is not connected to WEART's middleware any more. Switch it on: it is then opened by itself, "
+      "is no longer connected to WEART's middleware. Switch it on: it is then opened by itself, "
       "and waits for Arm().");
   }
   return !this->Status.IsActuating

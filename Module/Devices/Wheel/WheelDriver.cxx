@@ -137,7 +137,8 @@ bool WheelDriver::Take(const EvdevNode& node, std::string& error)
     !EvdevNode::SendForce(this->Node, FF_AUTOCENTER, 0) || !this->Play(0))
   {
     error = this->Label +
-      " does not take a constant force. End other programs that use it, plug it in again, and open "
+      " does not accept a constant force. End other programs that use it, plug it in again, and "
+      "open "
       "it again.";
     this->Disconnect();
     return false;
@@ -258,7 +259,7 @@ void WheelDriver::Round(HardwareExchange& exchange)
     this->Gone = errno == ENODEV;
     this->Lose(exchange,
       this->Gone ? this->FindUnpluggedText()
-                 : "does not take what is sent to it. Look after its cable and its power, then "
+                 : "does not accept what is sent to it. Check its cable and its power, then "
                    "Home() and Arm() again.");
     return;
   }

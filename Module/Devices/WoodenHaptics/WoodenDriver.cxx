@@ -46,10 +46,10 @@ constexpr double LateRound = 0.03;
 constexpr double PresetPeriod = 0.1;
 
 constexpr const char* AskForRest =
-  "has to be told where its arm is: put the arm into its rest pose, hold it still, and press "
+  "needs to know where its arm is: put the arm into its rest pose, hold it still, and press "
   "Home().";
 constexpr const char* AskForConsent =
-  "has the name and numbers of its board, which other devices have, too, a Polhem among them. "
+  "has the name and numbers of its board, which other devices share, such as a Polhem. "
   "Nothing was sent to it. If it is a WoodenHaptics, put the arm into its rest pose, hold it "
   "still, and press Home().";
 constexpr const char* AskAgain = ", then press Home() and put the arm into its rest pose.";
@@ -186,7 +186,7 @@ void WoodenDriver::Begin(HardwareExchange& exchange, bool isAnew)
     this->Now = Phase::Presetting;
     this->LastRound = ServoClock::Now();
     this->PresetBegin = this->LastPreset = ServoClock::Now();
-    this->Report(exchange, DeviceStage::Homing, "is being told that its arm is in the rest pose.");
+    this->Report(exchange, DeviceStage::Homing, "is learning that its arm is in the rest pose.");
     this->Send(exchange, this->Device.EncodeCalibration());
     return;
   }
@@ -234,7 +234,7 @@ void WoodenDriver::Work(HardwareExchange& exchange)
   if (!this->IsLost() && this->IsSilent(hasNews))
   {
     this->Lose(exchange,
-      "does not answer. Look after its cable and its power, then Home() and Arm() again; if that "
+      "does not answer. Check its cable and its power, then Home() and Arm() again; if that "
       "does not help, plug it in again, then Open() and Start() it.");
   }
   if (this->IsLost())
@@ -264,7 +264,7 @@ void WoodenDriver::ReceivePacket(HardwareExchange& exchange, const std::uint8_t*
     WoodenHaptics::Decode(bytes, WoodenHaptics::PacketSize, this->Input))
   {
     this->Lose(exchange,
-      "sent a packet of a wrong size. Look after its cable and its firmware, then Home() and Arm() "
+      "sent a packet of a wrong size. Check its cable and its firmware, then Home() and Arm() "
       "again.");
     return;
   }
@@ -291,8 +291,8 @@ void WoodenDriver::UpdateHand(HardwareExchange& exchange)
   else if (this->Now == Phase::Ready && jumps)
   {
     this->Lose(exchange,
-      (std::string("reads a jump of its arm that no hand makes, or has lost the zero of its "
-                   "encoders. Look after its "
+      (std::string("reports a jump of its arm that no hand can make, or has lost the zero of its "
+                   "encoders. Check its "
                    "power, its encoders and their cables") +
         AskAgain)
         .c_str());
@@ -313,7 +313,7 @@ void WoodenDriver::UpdatePhase(HardwareExchange& exchange)
   {
     this->Now = Phase::Waiting;
     this->Report(exchange, DeviceStage::Homing,
-      "did not take in where its arm is: hold the arm still in its rest pose, and press Home() "
+      "did not accept the pose of its arm: hold the arm still in its rest pose, and press Home() "
       "again.");
   }
   if (isSet || this->Now == Phase::Ready)

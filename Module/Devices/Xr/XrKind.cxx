@@ -44,7 +44,7 @@ std::unique_ptr<DeviceBackend> MakeXr(
 {
   if (id != XrId)
   {
-    error = "\"" + id + "\" is no device id: give \"vibration:xr\", which has no number.";
+    error = "\"" + id + "\" is not a device id: give \"vibration:xr\", which has no number.";
     return nullptr;
   }
   return std::make_unique<XrDevice>();

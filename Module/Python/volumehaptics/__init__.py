@@ -46,7 +46,7 @@ _FOUND = f"{_vtk.GetVTKMajorVersion()}.{_vtk.GetVTKMinorVersion()}.{_vtk.GetVTKB
 if _FOUND != _COMPILED_WITH:
     # Check VTK's version first. Otherwise the loader would report a missing library, or an incompatible memory layout
     # would cause a later crash, while the force is on.
-    raise ImportError(f"this volumehaptics is for VTK {_COMPILED_WITH}, and VTK {_FOUND} is what there is. "
+    raise ImportError(f"this volumehaptics is for VTK {_COMPILED_WITH}, and VTK {_FOUND} is installed. "
                       f"Cure: pip install vtk=={_COMPILED_WITH}, or a volumehaptics that was built for VTK {_FOUND}")
 
 from . import vtkVolumeHaptics

@@ -57,8 +57,8 @@ def overview(grid: vtkDataSet | vtkCompositeDataSet) -> vtkImageData:
     bounds = [(min if i % 2 == 0 else max)(one[i] for one in all_bounds) for i in range(6)] if all_bounds else [0.0] * 6
     edges = [bounds[i + 1] - bounds[i] for i in (0, 2, 4)]
     if not min(edges) > 0.0:
-        raise ValueError("the data set has no cells, or they have no volume. Cure: give grids of cells in space, such "
-                         "as hexahedra and tetrahedra")
+        raise ValueError("the data set has no cells, or they have no volume. Cure: give grids of three-dimensional "
+                         "cells, such as hexahedra and tetrahedra")
     resample = vtkResampleToImage()
     resample.SetInputDataObject(grid)
     resample.SetSamplingDimensions(*[max(2, round(POINTS * edge / max(edges))) for edge in edges])

@@ -108,7 +108,7 @@ class Haptics:
         """Sets one device, or two in a list. A device of the user's own stays open when this object is closed."""
         if isinstance(wanted, (list, tuple)):
             if len(wanted) != 2:
-                raise ValueError(f"a person has two hands, and device names {len(wanted)} devices. Cure: give one, or "
+                raise ValueError(f"device gives at most two devices, one for each hand, not {len(wanted)} devices. Cure: give one, or "
                                  "[first, second]")
             first, second = wanted
             if second == "virtual":
@@ -194,7 +194,7 @@ def _find_volume(volume: Any) -> vtkVolume:
     for one in (volume, getattr(volume, "actor", None)):  # objects of vedo have the attribute actor
         if isinstance(_plain_vtk(one), vtkVolume):
             return _plain_vtk(one)
-    raise TypeError(f"what is touched in a window is a vtkVolume that it shows, not {_describe(volume)}. Cure: give that "
+    raise TypeError(f"only a vtkVolume that the window shows can be touched, not {_describe(volume)}. Cure: give that "
                     "volume, or none: then it is what the window shows under the pointer")
 
 
@@ -259,7 +259,7 @@ def add_haptics(target: Any, volume: Any = None, preset: str | None = None, devi
         with Errors(widget, haptics.filter, haptics.filter.GetProperty()) as errors:
             if preset is not None or settings:
                 if image is None:
-                    raise ValueError("the window shows no image yet, which a preset or settings are checked against. "
+                    raise ValueError("the window shows no image yet, which is needed to check a preset or settings. "
                                      "Cure: add_haptics() after the volume was added")
                 configure(haptics.filter, image, preset, settings, errors, "add_haptics")
             widget.SetVolume(touched)

@@ -117,7 +117,7 @@ def _read(volume: vtkImageData, file: str, is_file: bool) -> vtkImageData:
     try:
         reader = run(file, are_labels=True)
     except ValueError as error:  # the argument series concerns the volume, not the labels
-        raise ValueError(re.sub(r"take series=1 to series=\d+, or ", "", str(error))) from None
+        raise ValueError(re.sub(r"use series=1 to series=\d+, or ", "", str(error))) from None
     for note in reader.GetNotes().splitlines():
         _warn(f"{os.path.basename(file)}: {note}")
     return _find_place(take(reader), reader.HasPlace(), volume, file, is_file)

@@ -104,7 +104,7 @@ def _expect_in_file(part: np.ndarray) -> None:
     size = mapped.base.size()
     if end > size:
         raise OSError(f"{mapped.filename or 'the file'} ends at byte {size}, and the samples at byte {end}: it was cut off "
-                      "after it was opened. Cure: write it anew")
+                      "after it was opened. Cure: write it again")
 
 
 def _fill(array: Any, dtype: np.dtype, extent: Any, samples: int) -> None:
@@ -215,9 +215,9 @@ def _choose(shape: Sequence[int], path: str, series: int) -> tuple[int, ...]:
     """Returns the indices along the axes before z, y and x of the volume with a number, from 1 on; 0: the first one."""
     count = math.prod(shape)
     if series and count == 1:
-        raise ValueError(f"{path} has one volume, of which none can be chosen by a number. Cure: leave series out")
+        raise ValueError(f"{path} has one volume only, which needs no number. Cure: leave series out")
     if not 0 <= series <= count:
-        raise ValueError(f"{path} has {count} volumes, and none with the number {series}. Cure: take series=1 to "
+        raise ValueError(f"{path} has {count} volumes, and none with the number {series}. Cure: use series=1 to "
                          f"series={count}")
     return tuple(int(one) for one in np.unravel_index(max(series, 1) - 1, shape)) if shape else ()
 

@@ -14,7 +14,7 @@ from .vtkVolumeHaptics import vtkHapticPointShell, vtkHapticVolumeReader
 def _read(path: str) -> vtkPolyData:
     """Reads the surface in a file. ValueError: the file has no surface."""
     if os.path.splitext(path)[1].lower() not in (".stl", ".obj", ".ply", ".vtp"):
-        raise ValueError(f"tool={path!r} has an unknown ending: take one that ends in .stl, .ply, .obj or .vtp")
+        raise ValueError(f"tool={path!r} has an unknown extension: use one that ends in .stl, .ply, .obj or .vtp")
     if not os.path.isfile(path):
         raise ValueError(f"tool={path!r}: there is no such file")
     mesh = vtkPolyData()

@@ -111,7 +111,7 @@ def _set(haptics: vtkVolumeHapticsFilter, name: str, value: Any, caller: str) ->
         raise TypeError(f"{name}={value!r} is of a type that can't be set: {takes}{_by_name(name, value)}") from None
     if isinstance(value, numbers.Real) and (getter := getattr(haptics, f"Get{_in_camel_case(name)}", None)):
         if getter() != value:
-            raise ValueError(f"{name}={value!r} is out of range; the nearest that there is is {getter()!r}")
+            raise ValueError(f"{name}={value!r} is out of range; the nearest valid one is {getter()!r}")
     return known is not False
 
 

@@ -126,8 +126,8 @@ class Door:
         host = web_server.host
         self._names.update(name.lower() for name in (host, socket.gethostname(), socket.getfqdn()))
         if host not in HERE:
-            warnings.warn(f"the page is served at {host}, to the whole network, and without encryption: whoever reads what "
-                          "passes there gets the secret, sees the volume and leads the hand. Cure: host=\"localhost\", "
+            warnings.warn(f"the page is served at {host}, to the whole network, and without encryption: anyone who listens "
+                          "there gets the secret, sees the volume and moves the hand. Cure: host=\"localhost\", "
                           "and from elsewhere ssh -L PORT:localhost:PORT", stacklevel=2)
         application.middlewares.append(self._make_middleware(Path(server.server_options.content) / "index.html"))
         for handler in handlers:
@@ -207,7 +207,7 @@ def door_of(server: Any, in_frames: bool = False) -> Door:
     server = server.root_server
     if server not in _doors:
         if server.running:
-            raise ValueError("the server runs already, open to every page. Cure: View(haptics, server) before "
+            raise ValueError("the server is already running, open to every page. Cure: View(haptics, server) before "
                              "server.start(), or volumehaptics.web.serve(haptics)")
         _doors[server] = Door(server, in_frames)
     return _doors[server]

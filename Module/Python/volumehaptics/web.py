@@ -182,7 +182,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--device", default="virtual", help="the hand (default: virtual, which the mouse leads)")
     parser.add_argument("--port", type=int, default=0, help="(default: a free one)")
     parser.add_argument("--host", default="localhost",
-                        help="localhost, or 0.0.0.0 for the whole network, where whoever reads along gets the secret")
+                        help="localhost, or 0.0.0.0 for the whole network, where anyone who listens gets the secret")
     parser.add_argument("--no-browser", action="store_true", help="do not open a browser")
     options = parser.parse_args(arguments)
     if options.demo == bool(options.volume):

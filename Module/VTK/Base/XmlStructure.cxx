@@ -355,8 +355,8 @@ private:
 
   [[noreturn]] void RefusePromise() const
   {
-    Refuse(std::string("its header promises ") + (this->IsStructured() ? "voxels" : "values") +
-      " that are not in the file");
+    Refuse(std::string("its header announces more ") +
+      (this->IsStructured() ? "voxels" : "values") + " than the file has");
   }
 
   bool IsStructured() const

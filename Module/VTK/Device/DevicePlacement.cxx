@@ -65,7 +65,8 @@ std::string DetectFlaw(vtkPoints* points, const std::string& space)
   if (!(height2 > thinnest * thinnest * longest2))
   {
     return "The points " + space +
-      " lie on one line, about which the device could be turned at will. Touch one well beside it.";
+      " lie on one line, which leaves a rotation about that line open. Touch a point well off the "
+      "line.";
   }
   return {};
 }

@@ -77,7 +77,7 @@ const char* DescribeReason(GateState state, GateReason reason)
     case GateReason::Ordered:
       return state == GateState::Fading ? "it fades out" : "not armed";
     case GateReason::Unattended:
-      return "it fades out, because the program is silent";
+      return "it fades out, because the program does not respond";
     case GateReason::Active:
       return "it fades out, because the device swings by itself";
     case GateReason::NotReady:
@@ -238,8 +238,8 @@ std::string DeviceStatus::DescribeDevice() const
   if (this->State->Awaiting)
   {
     text += this->State->Residency > 0.0
-      ? " The data around the tip are awaited: the force fades."
-      : " The data around the tip are awaited: no force until then.";
+      ? " Waiting for the data around the tip: the force fades."
+      : " Waiting for the data around the tip: no force until then.";
   }
   constexpr ServoLoop::Privilege refused = ServoLoop::Privilege::Refused;
   const bool isTold = this->LockedMemory == refused && this->LockedSamples == refused;

@@ -224,7 +224,7 @@ TickCollector* vtkHapticRecorder::vtkInternals::GetRecordable(const std::string&
   std::string reason;
   if (GetTraceEnding(name).empty())
   {
-    reason = "\"" + Printable(name) + "\" has an unknown ending: name it .vtp or .csv.";
+    reason = "\"" + Printable(name) + "\" has an unknown extension: name it .vtp or .csv.";
   }
   else if (!CheckWritable(name, reason) ||
     (GetTraceEnding(name) == ".csv" && !CheckWritable(name + ".json", reason)))

@@ -145,7 +145,7 @@ void vtkHapticVirtualHand::SetOrientation(double w, double x, double y, double z
   {
     parts->Orders.ReportError(
       "The virtual tip's orientation must be a quaternion of finite numbers "
-      "that are not all tiny; it stays as it was. Four zeros take it away.");
+      "that are not all tiny; it stays as it was. Four zeros remove it.");
   }
   else if (device)
   {
@@ -181,7 +181,7 @@ void vtkHapticVirtualHand::SetToolOrientation(double w, double x, double y, doub
   {
     parts->Orders.ReportError(
       "The tip's orientation must be a quaternion of finite numbers that are "
-      "not all tiny; it stays as it was. Four zeros take it away.");
+      "not all tiny; it stays as it was. Four zeros remove it.");
   }
   else if (parts)
   {
@@ -242,7 +242,7 @@ void vtkHapticVirtualHand::SetLimits(
   if (parts &&
     (!device || parts->Session.IsRunning() || !std::isfinite(sum) || !(maximumForce > 0.0)))
   {
-    parts->Orders.ReportError("Limits are finite, with a force above 0, and are set between "
+    parts->Orders.ReportError("Limits must be finite, with a force above 0, and be set between "
                               "Open(\"virtual\") and Start().");
   }
   else if (device)

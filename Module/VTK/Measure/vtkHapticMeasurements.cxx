@@ -186,7 +186,7 @@ vtkIdType vtkHapticMeasurements::AddMeasurement(int kind, vtkPolyData* shape, co
 {
   if (kind < POINT || kind > AREA)
   {
-    vtkErrorMacro("There is no kind of measurement " << kind << ": take POINT (0) to AREA (4).");
+    vtkErrorMacro("There is no kind of measurement " << kind << ": use POINT (0) to AREA (4).");
     return -1;
   }
   if (!shape)

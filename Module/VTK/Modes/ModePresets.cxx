@@ -241,7 +241,7 @@ bool SuitImage(
     if (array.empty())
     {
       error = "The image has no " + mode->GetArrayText() + " for the preset \"" + preset.Name +
-        "\". Give it such an array, or take another preset: see GetModePresetNames().";
+        "\". Give it such an array, or use another preset: see GetModePresetNames().";
       return false;
     }
     mode->SetArrayName(array.c_str());

@@ -229,7 +229,7 @@ vtkSmartPointer<vtkPolyData> ReadHere(const std::string& name, std::string& erro
     const std::string ending = Explore::GetEnding(name);
     const bool isWhole =
       (ending != ".ply" || HasAllElements(name)) && (ending != ".stl" || HasAllTriangles(name));
-    return isWhole ? std::string() : "its header promises elements that are not in the file";
+    return isWhole ? std::string() : "its header announces more elements than the file has";
   };
   const bool isRead = Explore::ReadChecked(reader, error, check);
   const vtkSmartPointer<vtkPolyData> shape =

@@ -226,7 +226,7 @@ vtkSmartPointer<vtkImageData> MakeFrame(
   if (!VolumeHaptics::PlaceGrid(box, std::max(average, finest), grid))
   {
     throw InputError(path, "has no cells, or they have no volume",
-      "write grids of cells in space, such as hexahedra and tetrahedra");
+      "write grids of three-dimensional cells, such as hexahedra and tetrahedra");
   }
   auto frame = vtkSmartPointer<vtkImageData>::New();
   frame->SetDimensions(grid.Dimensions);

@@ -44,7 +44,7 @@ void ReadTables(Volume& volume, const std::vector<std::string>& tables)
     const Explore::MessageCapture capture;
     if (!volume.LabelTable->ReadFile(table.c_str()))
     {
-      throw InputError("--materials " + table, capture.FirstError(), "name another file");
+      throw InputError("--materials " + table, capture.FirstError(), "choose another file");
     }
   }
 }
@@ -77,7 +77,7 @@ double RoundLabels(vtkImageData* image, std::vector<std::string>& notes)
   image->GetPointData()->SetScalars(labels);
   if (isChanged)
   {
-    notes.emplace_back("labels were rounded to whole numbers, from which they are 0.001 at most");
+    notes.emplace_back("labels within 0.001 of a whole number were rounded");
   }
   return 0.0;
 }
@@ -225,7 +225,7 @@ void UseAsLabels(Volume& volume, const std::string& path, const std::vector<std:
   if (!areAll || labels.size() > most ||
     (!labels.empty() && (*labels.begin() < 0 || *labels.rbegin() > highest)))
   {
-    throw InputError("--as-labels " + path, "has values that are no numbers of labels",
+    throw InputError("--as-labels " + path, "has values that are not label numbers",
       "leave --as-labels out; labels are up to 4096 whole numbers of 0 or more");
   }
   const bool hasNames = volume.LabelTable != nullptr;
@@ -276,24 +276,24 @@ Volume ReadLabels(const std::string& path, int series, bool canChoose)
   }
   if (labels.Format == "DICOM")
   {
-    throw InputError(path, "is DICOM, but no segmentation (SEG)", "name it as the volume");
+    throw InputError(path, "is DICOM, but not a segmentation (SEG)", "give it as the volume");
   }
   const int components = labels.Image->GetNumberOfScalarComponents();
   const int count = std::max(
     { ReadNiftiTimes(path, 1.0).Count, static_cast<int>(labels.Series.size()), components });
   if (series == 0 && count > 1 && !labels.LabelTable)
   {
-    throw InputError(path, "has several volumes, and labels are one",
-      (canChoose ? "take Series = 1 to Series = " + std::to_string(count) + ", or "
+    throw InputError(path, "has several volumes, and labels need one",
+      (canChoose ? "use Series = 1 to Series = " + std::to_string(count) + ", or "
                  : std::string()) +
-        "write the volume that is meant into a file of its own");
+        "write the volume that you mean into its own file");
   }
   UseComponent(path, labels, series);
   const double wrong = RoundLabels(labels.Image, labels.Notes);
   if (wrong != 0.0)
   {
     std::ostringstream fault;
-    fault << "has values that are no numbers of labels, such as " << wrong;
+    fault << "has values that are not label numbers, such as " << wrong;
     throw InputError(path, fault.str(),
       "write whole numbers; if a NIfTI header scales them, with the slope 1 and the intercept 0");
   }
@@ -319,8 +319,8 @@ std::vector<std::string> DescribeLabels(
   std::vector<std::string> notes;
   if (!IsAnyInside(labels, volume))
   {
-    notes.emplace_back(
-      "no voxel of the volume has a label: all are 0, of another scan, or in another place");
+    notes.emplace_back("no voxel of the volume has a label: the labels are all 0, or belong to "
+                       "another scan or place");
   }
   const std::string unused = table && table->GetNumberOfLabels() > 0
     ? DescribeUnused(CollectLabels(values).Found, table)

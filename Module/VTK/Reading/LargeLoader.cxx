@@ -47,10 +47,10 @@ void OpenItself(const std::string& path, int series, vtkHapticRegionSource* sour
   if (!source->OpenFile(PlainName(path).c_str(), error, series))
   {
     throw InputError(path, "can't be opened (" + error + ")",
-      !IsLargeFormat(FormatOf(path))
-        ? "do what stands there, or leave --large out"
-        : "do what stands there; volumehaptics.open_large() in Python opens what zarr and h5py "
-          "read");
+      !IsLargeFormat(FormatOf(path)) ? "see the reason in brackets, or leave out --large"
+                                     : "see the reason in brackets; volumehaptics.open_large() in "
+                                       "Python opens what zarr and h5py "
+                                       "read");
   }
 }
 
@@ -129,7 +129,8 @@ Volume LoadLargeVolume(const std::string& path, int series)
   if (!volume.Large->GetCoarseImage())
   {
     MakeCoarse(path, volume.Large);
-    volume.Notes.emplace_back("it has no coarse level: one was made of all of it, for the picture");
+    volume.Notes.emplace_back(
+      "it has no coarse level: one was computed from the whole volume, for the picture");
   }
   volume.Image = volume.Large->GetCoarseImage();
   CheckVolume(path, volume);

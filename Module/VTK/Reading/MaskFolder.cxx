@@ -101,7 +101,7 @@ Volume ReadMasks(const std::string& folder, const std::vector<std::string>& mask
   {
     throw InputError(folder,
       "has " + std::to_string(count) + " masks, and none with the number " + std::to_string(series),
-      "take Series = 1 to Series = " + std::to_string(count));
+      "use Series = 1 to Series = " + std::to_string(count));
   }
   Volume all;
   vtkIdType shared = 0;
@@ -112,8 +112,8 @@ Volume ReadMasks(const std::string& folder, const std::vector<std::string>& mask
     const Volume mask = ReadVolume(path);
     if (!IsMask(mask.Image))
     {
-      throw InputError(path, "is no mask, as the others in its folder are",
-        "put it into another folder, or name it alone");
+      throw InputError(path, "is not a mask, unlike the others in its folder",
+        "put it into another folder, or open it alone");
     }
     if (!all.Image)
     {
@@ -128,8 +128,8 @@ Volume ReadMasks(const std::string& folder, const std::vector<std::string>& mask
     }
     else if (!HaveSameVoxels(mask.Image, all.Image))
     {
-      throw InputError(path, "has other voxels than the mask " + masks.front() + " beside it",
-        "write all masks on the voxels of their scan, or name one of them");
+      throw InputError(path, "has a different grid from the mask " + masks.front() + " beside it",
+        "write all masks on the voxels of their scan, or choose one of them");
     }
     all.LabelTable->SetLabelName(number, NameOrgan(path));
     vtkDataArray* const values = mask.Image->GetPointData()->GetScalars();
@@ -142,7 +142,7 @@ Volume ReadMasks(const std::string& folder, const std::vector<std::string>& mask
       }
     }
   }
-  all.Notes.push_back(std::to_string(count) + " masks are labels, with the names of their files");
+  all.Notes.push_back(std::to_string(count) + " masks are used as labels, named like their files");
   if (shared > 0)
   {
     all.Notes.push_back(

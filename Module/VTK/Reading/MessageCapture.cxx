@@ -131,7 +131,7 @@ bool ReadChecked(
   }
   catch (const std::exception&)
   {
-    detail = "there is not enough memory for what its header promises";
+    detail = "there is not enough memory for what its header announces";
   }
   return isGood();
 }

@@ -128,7 +128,7 @@ std::string NameAnother(const Volume& volume)
   }
   const int first = std::stoi(volume.Series.front());
   const std::string other = std::to_string(first == volume.SeriesNumber ? first + 1 : first);
-  return ", or take another of the " + std::to_string(volume.Series.size()) +
+  return ", or use another of the " + std::to_string(volume.Series.size()) +
     " that it has, such as --series " + other + " (Series = " + other + ")";
 }
 
@@ -140,7 +140,7 @@ void CheckRange(const std::string& path, const Volume& volume)
   {
     std::ostringstream fault;
     fault << "is uniform (every finite voxel is " << range[0] << "): there is nothing to feel";
-    throw InputError(path, range[0] > range[1] ? "holds no finite voxel" : fault.str(),
+    throw InputError(path, range[0] > range[1] ? "has no finite voxel" : fault.str(),
       "check the export, in particular its rescale slope and window" + NameAnother(volume));
   }
 }
@@ -180,7 +180,7 @@ void NoteOddValues(const VolumeHaptics::StoredShift& found, Volume& volume)
   {
     std::ostringstream note;
     note << "the file says CT, but values from " << range[0] << " to " << range[1]
-         << " are no Hounsfield units: a preset of CT does not fit them";
+         << " are not Hounsfield units: presets for CT do not fit them";
     volume.Notes.push_back(note.str());
   }
 }
@@ -234,7 +234,7 @@ void CheckMemory(const std::string& path, double bytes, std::size_t frames)
     std::ostringstream fault;
     fault << "has " << frames << " frames, which need " << std::lround(needed)
           << " MiB of memory, and " << std::lround(free) << " MiB are free";
-    throw InputError(path, fault.str(), "name fewer frames, or smaller ones");
+    throw InputError(path, fault.str(), "give fewer or smaller frames");
   }
 }
 
@@ -242,7 +242,7 @@ void CheckSize(const std::string& path, const int size[3])
 {
   if (std::any_of(size, size + 3, [](int count) { return count < 1; }))
   {
-    throw InputError(path, "holds no voxels", "export the volume again");
+    throw InputError(path, "has no voxels", "export the volume again");
   }
   if (std::count(size, size + 3, 1) > 0)
   {
@@ -274,15 +274,14 @@ void UseComponent(const std::string& path, Volume& volume, int chosen)
   const int count = isColour ? 1 : components;
   if (number > 0 && count == 1)
   {
-    throw InputError(
-      path, "has one volume, of which none can be chosen by a number", "leave Series out");
+    throw InputError(path, "has one volume only, which needs no number", "leave out Series");
   }
   if (number > count)
   {
     throw InputError(path,
       "has " + std::to_string(count) + " components, and none with the number " +
         std::to_string(number),
-      "take Series = 1 to Series = " + std::to_string(count));
+      "use Series = 1 to Series = " + std::to_string(count));
   }
   if (components == 1)
   {
@@ -310,10 +309,10 @@ void UseComponent(const std::string& path, Volume& volume, int chosen)
   single->ShallowCopy(extract->GetOutput());
   single->SetDirectionMatrix(volume.Image->GetDirectionMatrix());
   volume.Image = single;
-  volume.Notes.push_back(std::to_string(components) + " components a voxel: component " +
+  volume.Notes.push_back(std::to_string(components) + " components per voxel: component " +
     std::to_string(used) + " used, the others ignored" +
     (volume.Series.empty()
-        ? "; Series = 1 to Series = " + std::to_string(components) + " take one of them"
+        ? "; Series = 1 to Series = " + std::to_string(components) + " choose one of them"
         : std::string()));
   if (volume.Series.empty())
   {

@@ -95,7 +95,7 @@ bool VolumeFields::UseWith(const std::string& name, const std::string& path, vtk
       known += other ? (known.empty() ? "'" : ", '") + std::string(other) + "'" : "";
     }
     throw InputError("ArrayName = '" + name + "'", "is not an array of the points of " + path,
-      known.empty() ? "leave it out: there is none with a name" : "take one of " + known);
+      known.empty() ? "leave it out: there is none with a name" : "use one of " + known);
   }
   const vtkSmartPointer<vtkDataArray> shown =
     IsField(array) ? MakeMagnitude(array) : vtkSmartPointer<vtkDataArray>(array);

@@ -59,37 +59,36 @@ struct UnreadableFile
 
 /// Formats that are not supported here, each with a way to convert it.
 constexpr UnreadableFile UNREADABLE[] = {
-  { " .head .brik ", "is a file of AFNI, which is not read here",
-    "turn it into NIfTI with 3dAFNItoNIFTI" },
-  { " .par .rec ", "is a PAR/REC file, which is not read here",
-    "turn it into NIfTI with dcm2niix" },
-  { " .zip .tar .tgz .7z .rar ", "is a packed folder",
-    "unpack it, and name the folder of its slices" },
-  { " .gz .bz2 .xz ", "is a packed file", "unpack it, and name the file that was in it" },
-  { " .v ", "is a file of ECAT, which is not read here",
-    "turn it into NIfTI, e.g. with nibabel: nib.save(nib.load('pet.v'), 'pet.nii')" },
-  { " .trk .tck ", "holds tracts, which are lines and no volume",
-    "name the volume in which they were tracked" },
-  { " .jpg .jpeg .png .bmp ",
-    "is a picture, which has one slice, or less than the values of a scan",
-    "name the volume that it was made of" },
-  { " .npy .npz ", "holds an array of NumPy, which has no spacing and no place",
+  { " .head .brik ", "is an AFNI file, which is not supported",
+    "convert it to NIfTI with 3dAFNItoNIFTI" },
+  { " .par .rec ", "is a PAR/REC file, which is not supported",
+    "convert it to NIfTI with dcm2niix" },
+  { " .zip .tar .tgz .7z .rar ", "is a packed folder (an archive)",
+    "unpack it, and choose the folder of its slices" },
+  { " .gz .bz2 .xz ", "is a packed file", "unpack it, and choose the file inside" },
+  { " .v ", "is an ECAT file, which is not supported",
+    "convert it to NIfTI, e.g. with nibabel: nib.save(nib.load('pet.v'), 'pet.nii')" },
+  { " .trk .tck ", "has tracts, which are lines, not a volume",
+    "choose the volume in which they were tracked" },
+  { " .jpg .jpeg .png .bmp ", "is a picture, which has one slice, or fewer grey levels than a scan",
+    "choose the volume that it was made from" },
+  { " .npy .npz ", "has a NumPy array, without spacing and position",
     "give it to volumehaptics.image() in Python, or write it as .nii.gz or .nrrd" },
-  { " .mat ", "is a file of MATLAB, which is not read here",
+  { " .mat ", "is a MATLAB file, which is not supported",
     "write its array with niftiwrite, or with pynrrd or nibabel" },
-  { " .mrc .map .ccp4 ", "is a density map (MRC), which is not read here",
-    "turn it into NRRD or TIFF, e.g. with mrcfile and tifffile in Python" },
+  { " .mrc .map .ccp4 ", "is a density map (MRC), which is not supported",
+    "convert it to NRRD or TIFF, e.g. with mrcfile and tifffile in Python" },
   { " .czi .lif .nd2 .oib .oif .vsi .lsm .ims .oir .dm3 .dm4 ",
-    "is a microscope's own format, which is not read here",
-    "turn it into OME-TIFF or OME-Zarr, e.g. with bioformats2raw or Fiji" },
+    "is a microscope's own format, which is not supported",
+    "convert it to OME-TIFF or OME-Zarr, e.g. with bioformats2raw or Fiji" },
   { " .raw .vol .bin .dat ", "has no header: neither its size nor its type is known",
     "write a header for it, such as .mhd with DimSize, ElementType and ElementDataFile" },
-  { " .h5 .hdf5 .nxs ", "is HDF5, of which VTKHDF is read here",
+  { " .h5 .hdf5 .nxs ", "is HDF5, of which only VTKHDF is supported",
     "write its array as .vtkhdf, .nrrd, TIFF or Zarr" },
   { " .gii .surf .pial .white .inflated ", "is a surface of a brain, not a volume",
-    "name the volume that it was made of" },
+    "choose the volume that it was made from" },
   { " .stl .ply .obj ", "is a surface, not a volume",
-    "name a volume; a surface can be a tool or a guide in it" },
+    "choose a volume; a surface can be a tool or a guide in it" },
 };
 
 std::string ListKnown()
@@ -253,9 +252,9 @@ std::string DetectFalsePromise(vtkAlgorithm* reader, const std::string& path)
     return {}; // the reader will report the fault
   }
   const double held = CountHeld(path, samples);
-  return held < 0.0 ? "its compressed samples are damaged, or cut off"
+  return held < 0.0 ? "its compressed samples are damaged or truncated"
     : bytes > held
-    ? "its header promises voxels that are not in the file, which ends before the last voxel"
+    ? "its header announces more voxels than the file has, which ends before the last voxel"
     : std::string();
 }
 
@@ -361,7 +360,7 @@ Volume ReadMetaImage(const std::string& path, int series)
   const bool isRaw = reader->CanReadFile(path.c_str()) && !IsKnownToVTK(path);
   Volume volume = isRaw
     ? ReadAsRegions(path, "MetaImage", series,
-        "do what stands there, or write it with samples of 8, 16 or 32 bits")
+        "see the reason in brackets, or write it with samples of 8, 16 or 32 bits")
     : Volume{ Run(reader.Get(), path, "MetaImage"), {}, "MetaImage", {}, {}, {} };
   const VolumeHaptics::HeaderText header(path);
   if (!isRaw)
@@ -394,8 +393,9 @@ Volume ReadNrrd(const std::string& path, int series)
       return key.rfind("Segment", 0) == 0 && key.size() > digit && key[digit] >= '0' &&
         key[digit] <= '9';
     });
-  Volume volume = isSegmentation ? Explore::ReadNrrdSegmentation(path, series)
-                                 : ReadAsRegions(path, "NRRD", series, "do what stands there");
+  Volume volume = isSegmentation
+    ? Explore::ReadNrrdSegmentation(path, series)
+    : ReadAsRegions(path, "NRRD", series, "see the reason in brackets");
   volume.Axes = Explore::FindNrrdAxes(header);
   const std::string note = Explore::DescribeNrrdTurn(header);
   volume.Notes.insert(volume.Notes.end(), note.empty() ? 0 : 1, note);
@@ -463,7 +463,7 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
   if (IsCifti(path)) // refuse the file before reading its samples, which may be many
   {
     throw InputError(path, "is a CIFTI file, whose values belong to places of a brain's surface",
-      "take its volume out with wb_command -cifti-separate, or name the volume it was made of");
+      "extract its volume with wb_command -cifti-separate, or choose the volume it was made of");
   }
   vtkNew<vtkNIFTIImageReader> reader;
   reader->SetTimeAsVector(timesAreComponents);
@@ -472,8 +472,8 @@ Volume ReadNifti(const std::string& path, bool timesAreComponents)
   {
     if (!(std::abs(reader->GetNIFTIHeader()->GetPixDim(axis)) > 0.0) && !reader->GetSFormMatrix())
     {
-      volume.Notes.push_back("no distance of voxels along index axis " + std::to_string(axis) +
-        " (pixdim): 1 is assumed");
+      volume.Notes.push_back(
+        "no voxel spacing along index axis " + std::to_string(axis) + " (pixdim): 1 is assumed");
     }
   }
   ApplyNiftiScale(reader->GetRescaleSlope(), reader->GetRescaleIntercept(), volume);
@@ -535,7 +535,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   const std::string format = vtkHapticRegionSource::GetFileFormat(path.c_str());
   if (!format.empty())
   {
-    return ReadAsRegions(path, format, series, "do what stands there");
+    return ReadAsRegions(path, format, series, "see the reason in brackets");
   }
   if (Explore::IsGrid(path))
   {
@@ -553,7 +553,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
   if (EndsWith(lower, ".dcm") || EndsWith(lower, ".ima"))
   {
     throw InputError(path, "is not a DICOM slice, whatever its name says",
-      "check what the file really is; name a DICOM slice, or the folder of its series");
+      "check what the file really is; give a DICOM slice, or the folder of its series");
   }
   const std::string ending = " " + vtksys::SystemTools::GetFilenameLastExtension(lower) + " ";
   for (const auto& [endings, fault, cure] : UNREADABLE)
@@ -563,8 +563,7 @@ Volume ReadFile(const std::string& path, bool timesAreComponents, int series)
       throw InputError(path, fault, cure);
     }
   }
-  throw InputError(
-    path, "has an ending that is not known here", "convert it to one of the known: " + ListKnown());
+  throw InputError(path, "has an unknown extension", "convert it to one of these: " + ListKnown());
 }
 } // namespace
 
@@ -623,7 +622,7 @@ Volume ReadNrrdSegmentation(const std::string& path, int series)
     VolumeHaptics::ReadSegmentation(path, volume.Image, volume.LabelTable, series);
   if (!error.empty())
   {
-    throw InputError(path, error, "do what stands there, or name another file");
+    throw InputError(path, error, "see the reason in brackets, or choose another file");
   }
   ListSegments(volume, series);
   double layers = 1.0 / static_cast<double>(volume.Image->GetNumberOfPoints());
@@ -634,7 +633,7 @@ Volume ReadNrrdSegmentation(const std::string& path, int series)
   if (series == 0 && layers > 1.5)
   {
     volume.Notes.push_back("labels in " + std::to_string(std::lround(layers)) +
-      " layers: of several in a voxel, the last one in the file counts");
+      " layers: where several are in a voxel, the last one in the file counts");
   }
   return volume;
 }
@@ -643,7 +642,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
 {
   if (vtksys::SystemTools::CollapseFullPath(path) == "/")
   {
-    throw InputError(path, "is the folder of all files", "name the folder that has the slices");
+    throw InputError(path, "is the root folder", "choose the folder that has the slices");
   }
   if (!vtksys::SystemTools::PathExists(path))
   {
@@ -658,14 +657,14 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
       format.empty() ? ListMasks(path) : std::vector<std::string>();
     volume = !masks.empty() ? ReadMasks(path, masks, series)
       : format.empty()      ? ReadDicomFolder(path, series)
-                            : ReadAsRegions(path, format, series, "do what stands there");
+                            : ReadAsRegions(path, format, series, "see the reason in brackets");
   }
   else
   {
     std::string fault;
     if (!VolumeHaptics::CheckRegular(path, fault))
     {
-      throw InputError(path, fault, "copy its contents into a file, and name that");
+      throw InputError(path, fault, "copy its contents into a file, and choose that");
     }
     const std::string holes = VolumeHaptics::DetectHoles(path);
     if (!holes.empty())
@@ -674,7 +673,7 @@ Volume ReadVolume(const std::string& path, bool timesAreComponents, int series)
     }
     if (!vtksys::SystemTools::TestFileAccess(path, vtksys::TEST_FILE_READ))
     {
-      throw InputError(path, "may not be read by you", "chmod u+r it, or copy it");
+      throw InputError(path, "can't be read by you", "chmod u+r it, or copy it");
     }
     // The file of an OpenFOAM case may be empty, because only its folder matters.
     const bool mayBeEmpty = EndsWith(vtksys::SystemTools::LowerCase(path), ".foam");

@@ -120,7 +120,7 @@ std::string DescribeNrrdTurn(const VolumeHaptics::NrrdHeader& header)
     : signs[1] < 0.0
     ? "orientation turned from " + header.GetField("space") + " to left-posterior-superior"
     : signs[2] < 0.0
-    ? "the file's space is left-handed: its z is turned, so that nothing is mirrored"
+    ? "the file's space is left-handed: its z is flipped, so that nothing is mirrored"
     : std::string();
 }
 

@@ -123,7 +123,7 @@ std::vector<TimeStepPath> ReadCollection(const std::string& path)
   if (timeSteps.empty())
   {
     throw InputError(path, "is not a ParaView collection (.pvd) of files",
-      "name the files themselves, or their folder");
+      "choose the files themselves, or their folder");
   }
   std::stable_sort(timeSteps.begin(), timeSteps.end(),
     [](const TimeStepPath& a, const TimeStepPath& b) { return a.Time < b.Time; });
@@ -169,7 +169,7 @@ void AddTimeStep(Volume& volume, const std::string& path, vtkImageData* image, d
     fault << "is a frame with another geometry (" << n[0] << " x " << n[1] << " x " << n[2]
           << " voxels) than the first one";
     throw InputError(path, fault.str(),
-      "resample all frames to one extent, spacing and origin, or name one volume");
+      "resample all frames to one extent, spacing and origin, or choose one volume");
   }
   volume.TimeSteps->AddTimeStep(image, time);
 }
@@ -188,7 +188,7 @@ void Finish(Volume& volume)
       loop->AddTimeStep(timeSteps->GetTimeStepImage(i), timeSteps->GetTimeStepValue(i));
     }
     volume.TimeSteps = loop;
-    volume.Notes.emplace_back("the last frame is the first one again: left out");
+    volume.Notes.emplace_back("the last frame repeats the first one: left out");
   }
   note << volume.TimeSteps->GetNumberOfTimeSteps() << " frames, times "
        << volume.TimeSteps->GetTimeStepValue(0) << " to "
@@ -216,8 +216,8 @@ Volume LoadNiftiSeries(
 {
   if (!array.empty())
   {
-    throw InputError("ArrayName = " + array, "is for files with arrays, and not for " + path,
-      "leave it out, or take Series = 1 to Series = " + std::to_string(times.Count));
+    throw InputError("ArrayName = " + array, "is for files with arrays, not for " + path,
+      "leave it out, or use Series = 1 to Series = " + std::to_string(times.Count));
   }
   Volume volume = Explore::ReadVolume(path, true);
   const vtkSmartPointer<vtkImageData> all = volume.Image;
@@ -229,7 +229,7 @@ Volume LoadNiftiSeries(
     throw InputError(path,
       "has " + std::to_string(count) + " volumes along its fourth axis, and none with the number " +
         std::to_string(chosen),
-      "take Series = 1 to Series = " + std::to_string(count));
+      "use Series = 1 to Series = " + std::to_string(count));
   }
   Explore::CheckMemory(path, MeasureBytes(all), 1);
   volume.Image = ExtractTimeStep(all, std::max(0, chosen - 1) * step);
@@ -262,7 +262,7 @@ Volume LoadNiftiSeries(
   volume.Notes.push_back(
     "the volumes along the fourth axis are taken for times; if they are channels, Series = "
     "1 to Series = " +
-    std::to_string(count) + " take one of them");
+    std::to_string(count) + " choose one of them");
   return volume;
 }
 /// Loads one of the files of a moving volume.
@@ -274,14 +274,15 @@ Volume LoadFrame(const std::string& path, int series, const std::string& array)
     throw InputError(path,
       "is one of several files, and has " + std::to_string(times.Count) +
         " volumes along its fourth axis",
-      "name it alone, or take Series = 1 to Series = " + std::to_string(times.Count) +
+      "open it alone, or use Series = 1 to Series = " + std::to_string(times.Count) +
         " of each file");
   }
   Volume frame = times.Count > 1 ? LoadNiftiSeries(path, times, series, array)
                                  : Explore::LoadVolume(path, series, array);
   if (!frame.Phases.empty())
   {
-    throw InputError(path, "is one of several files, and moves itself", "name it alone");
+    throw InputError(
+      path, "is one of several files, and is a moving volume itself", "open it alone");
   }
   return frame;
 }
@@ -391,7 +392,7 @@ void UseDisplacements(Volume& volume, const std::string& array)
   if (!volume.TimeSteps)
   {
     throw InputError(
-      option, "is for a volume that moves, and this one does not", "name all of its frames");
+      option, "is for a volume that moves, and this one does not", "give all of its frames");
   }
   for (int i = 0; i < volume.TimeSteps->GetNumberOfTimeSteps(); ++i)
   {
@@ -403,7 +404,8 @@ void UseDisplacements(Volume& volume, const std::string& array)
       fault << "is no point array of vectors in the frame at "
             << volume.TimeSteps->GetTimeStepValue(i) << " s";
       throw InputError(option, fault.str(),
-        "name the array with the displacements to the next frame, which all frames have; the last "
+        "choose the array with the displacements to the next frame, which all frames have; the "
+        "last "
         "one has those to the first");
     }
   }

@@ -170,7 +170,7 @@ std::string DetectFalseNiftiHeader(const std::string& header)
       const std::int64_t axes = read(first, step, isSwapped);
       if (count < static_cast<int>(size))
       {
-        return "its header is cut off";
+        return "its header is truncated";
       }
       double voxels = axes >= 1 && axes <= 7 ? 1.0 : 0.0;
       for (unsigned i = 1; voxels > 0.0 && i <= axes; ++i)
@@ -182,16 +182,15 @@ std::string DetectFalseNiftiHeader(const std::string& header)
       }
       if (!(voxels > 0.0 && voxels < 1e15))
       {
-        return "its header is damaged: its axes have no sizes that can be";
+        return "its header is damaged: its axes have impossible sizes";
       }
       const std::int64_t type = read(size == sizes[0] ? 70 : 12, 2, isSwapped);
       // Data types as numbered in nifti1.h, from 8-bit integers to colours with opacity.
       constexpr std::int64_t types[] = { 2, 4, 8, 16, 32, 64, 128, 256, 512, 768, 1024, 1280, 1792,
         2304 };
       const bool isKnown = std::find(std::begin(types), std::end(types), type) != std::end(types);
-      return isKnown
-        ? std::string()
-        : "its samples have the type " + std::to_string(type) + ", which is not known here";
+      return isKnown ? std::string()
+                     : "its samples have the type " + std::to_string(type) + ", which is unknown";
     }
   }
   return "it does not begin like one";

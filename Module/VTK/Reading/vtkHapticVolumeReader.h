@@ -74,7 +74,7 @@ public:
 
   ///@{
   /**
-   * Whether the values are numbers of labels: numbers within 0.001 of whole ones are rounded,
+   * Whether the values are label numbers: numbers within 0.001 of whole ones are rounded,
    * others are an error, and the table has the names and colours from the file. The voxels stay in
    * the order of the file. Off (default): only a DICOM SEG, a NRRD file with segments and a folder
    * of masks have labels.

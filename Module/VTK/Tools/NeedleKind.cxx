@@ -36,14 +36,14 @@ void NeedleKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const
   if (plan.Model.Settings.Method != HapticMethod::Proxy)
   {
     plan.Error = "A vtkHapticNeedle punctures surfaces, which only the method PROXY knows. Choose "
-                 "it with SetMethodToProxy(), or take the needle away with SetTool(nullptr).";
+                 "it with SetMethodToProxy(), or remove the needle with SetTool(nullptr).";
     return;
   }
   if (!plan.Model.TimeSteps.empty())
   {
     plan.Error = "A vtkHapticNeedle can't be inserted into a volume that moves, and the image on "
                  "input port 0 has several frames. Stop time with SetTimeUnitsPerSecond(0), or "
-                 "take the needle away with SetTool(nullptr).";
+                 "remove the needle with SetTool(nullptr).";
     return;
   }
   NeedleDescription described;

@@ -66,15 +66,15 @@ bool CheckToolVolume(
   if (d.Settings.Method != HapticMethod::Proxy)
   {
     error = begin + " " + deed +
-      ", which only the method PROXY knows. Choose it with SetMethodToProxy(), or take the tool "
-      "away with SetTool(nullptr).";
+      ", which only the method PROXY knows. Choose it with SetMethodToProxy(), or remove the "
+      "tool with SetTool(nullptr).";
     return false;
   }
   if (!d.TimeSteps.empty())
   {
     error = begin +
       " can't feel a volume that moves, and the image on input port 0 has several frames. Stop "
-      "time with SetTimeUnitsPerSecond(0), or take the tool away with SetTool(nullptr).";
+      "time with SetTimeUnitsPerSecond(0), or remove the tool with SetTool(nullptr).";
     return false;
   }
   return true;

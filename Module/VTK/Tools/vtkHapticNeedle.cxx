@@ -41,7 +41,7 @@ bool vtkHapticNeedle::ApplyPreset(const char* name)
   if (!VolumeHaptics::FillCuttingForce(name, this->GetCuttingForce()))
   {
     vtkErrorMacro("There are no cutting forces of a needle for the preset \""
-      << (name ? name : "") << "\". Cure: take one of those of vtkHapticProperty that begin with "
+      << (name ? name : "") << "\". Cure: use one of those of vtkHapticProperty that begin with "
       << "\"CT\", or fill GetCuttingForce().");
     return false;
   }

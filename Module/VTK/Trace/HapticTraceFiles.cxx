@@ -229,7 +229,7 @@ std::string ReadTips(const std::string& file, bool isPath, RecordedTips& result)
   const std::string ending = GetTraceEnding(file);
   if (ending.empty())
   {
-    return std::string("has an unknown ending: a ") + (isPath ? "path" : "recording") +
+    return std::string("has an unknown extension: a ") + (isPath ? "path" : "recording") +
       " is a .vtp or a .csv";
   }
   std::string error;

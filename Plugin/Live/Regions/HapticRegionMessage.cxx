@@ -179,8 +179,8 @@ std::vector<char> PackRegion(vtkImageData* image)
   std::vector<char> message;
   if (!CanSend(image->GetPointData()->GetScalars()))
   {
-    return PackError("The server has no point scalars to send whose numbers have a size. Choose a "
-                     "point array of another type than bits in the filter that Touch names.");
+    return PackError("The server has no point scalars that can be sent. Choose a point array of "
+                     "another type than bits in the filter that Touch names.");
   }
   Put(message, Mark);
   Put(message, Contents::Region);
@@ -246,8 +246,9 @@ bool UnpackRegion(const std::vector<char>& message, vtkImageData* image, std::st
   if (!reader.IsGood || !reader.IsAtEnd() ||
     scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
   {
-    error = "The server sent something that is no region of a volume. Use a client and a server of "
-            "the same version.";
+    error =
+      "The server sent something that is not a region of a volume. Use a client and a server of "
+      "the same version.";
     return false;
   }
   image->GetPointData()->SetScalars(scalars);

@@ -47,7 +47,7 @@ bool Has(const std::string& text, const std::string& part)
 
 TEST(PadTool, NamesItForWhatItIs)
 {
-  EXPECT_TRUE(Has(RunTool({ "list" }).Out, "vibration         can't be had yet:\n"))
+  EXPECT_TRUE(Has(RunTool({ "list" }).Out, "vibration         can't be used yet:\n"))
     << "without a pad";
   PadModel pad(PadModel::Kind::Xbox);
   const EmulatedEvdev evdev(pad);

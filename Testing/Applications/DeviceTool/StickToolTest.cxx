@@ -53,7 +53,7 @@ TEST(StickTool, PushesGentlyUntilItsStrengthIsSet)
   const double force = PressedWith({}, said);
   EXPECT_GT(force, 0.0);
   EXPECT_LE(force, 0.041) << "a hundredth of what it can";
-  EXPECT_NE(said.find("say so with --newtons"), std::string::npos) << said;
+  EXPECT_NE(said.find("give it with --newtons"), std::string::npos) << said;
 }
 
 TEST(StickTool, PushesWithANewtonWhereItIsKnown)
@@ -62,5 +62,5 @@ TEST(StickTool, PushesWithANewtonWhereItIsKnown)
   const double force = PressedWith({ "--newtons", "4" }, said);
   EXPECT_GT(force, 0.5);
   EXPECT_LE(force, 1.01);
-  EXPECT_EQ(said.find("say so with --newtons"), std::string::npos) << said;
+  EXPECT_EQ(said.find("give it with --newtons"), std::string::npos) << said;
 }

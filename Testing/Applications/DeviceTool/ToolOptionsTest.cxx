@@ -74,7 +74,7 @@ TEST(ToolOptions, HelpIsGivenWhereverItIsAskedFor)
 TEST(ToolOptions, AreRefusedWithWhatIsRight)
 {
   const std::vector<std::pair<std::vector<std::string>, const char*>> wrong = {
-    { {}, "What is to be done" },
+    { {}, "No command was given" },
     { { "feel" }, "no command \"feel\"" },
     { { "monitor" }, "the id of a device" },
     { { "monitor", "falcon", "wooden" }, "the id of a device" },

@@ -58,6 +58,6 @@ TEST_F(WoodenToolTest, AsksAgainWhereTheZeroIsNotTaken)
 {
   this->Model.IgnoresPresets = true;
   EXPECT_EQ(this->Run({ "home", "wooden" }, "\n\n"), 1);
-  EXPECT_NE(this->Out.find("did not take in where its arm is"), std::string::npos) << this->Out;
+  EXPECT_NE(this->Out.find("did not accept the pose of its arm"), std::string::npos) << this->Out;
   EXPECT_GE(this->Model.GetPresets(), 2);
 }

@@ -648,11 +648,11 @@ int TestExploreDicom(int argc, char* argv[])
   ExpectNote(once, "1 slice is there twice");
   thorax.Instance = "1.3.";
   WriteDicom("twice/again", Encode(thorax));
-  ExpectFault(folder + "/twice", 0, "two slices at the same place");
+  ExpectFault(folder + "/twice", 0, "two slices at the same position");
   WriteSlices("short", thorax, 3);
   const std::string bytes = Encode(thorax);
   WriteDicom("short/I900", bytes.substr(0, bytes.size() - 2));
-  ExpectFault(folder + "/short", 0, "cut-off slice");
+  ExpectFault(folder + "/short", 0, "truncated slice");
   ExpectCutFiles();
   ExpectSpoiltFiles();
   ExpectSpoiltPixels();

@@ -224,14 +224,14 @@ int TestExploreFiles(int argc, char* argv[])
   ExpectRefusal(File("lying.mha", Meta("MET_SHORT", "12 8 8") + Samples<std::int16_t>()),
     "ends before the last");
   ExpectRefusal(File("huge.mha", Meta("MET_SHORT", "40000 40000 40000") + Samples<std::int16_t>()),
-    "promises voxels that are not in the file");
+    "announces more voxels than the file has");
   ExpectRefusal(
     File("huge64.mha", Meta("MET_LONG_LONG", "40000 40000 40000") + Samples<std::int64_t>()),
     "more samples than");
   ExpectRefusal(File("type.mha", Meta("MET_STRING") + Samples<std::int16_t>()), "another type");
   const short huge[3] = { 32767, 32767, 32767 };
   ExpectRefusal(
-    File("huge.nii", Nifti(int16, 16, huge) + Samples<std::int16_t>()), "promises voxels");
+    File("huge.nii", Nifti(int16, 16, huge) + Samples<std::int16_t>()), "announces more voxels");
   ExpectRefusal(
     File("huge.vti",
       "<VTKFile type=\"ImageData\" version=\"1.0\" byte_order=\"LittleEndian\"><ImageData "
@@ -239,7 +239,7 @@ int TestExploreFiles(int argc, char* argv[])
       "Extent=\"0 "
       "30000 0 30000 0 30000\"><PointData Scalars=\"V\"><DataArray type=\"Int16\" Name=\"V\" "
       "format=\"ascii\">1 2 3</DataArray></PointData></Piece></ImageData></VTKFile>\n"),
-    "promises voxels");
+    "announces more voxels");
   for (const char* const type : { "short", "int64" })
   {
     std::string message = "nothing";
@@ -252,7 +252,7 @@ int TestExploreFiles(int argc, char* argv[])
     {
       message = error.what();
     }
-    Expect(message.find("promises voxels") != std::string::npos, message);
+    Expect(message.find("announces more voxels") != std::string::npos, message);
   }
 
   const vtkSmartPointer<vtkImageData> head = LoadHead(argc, argv);

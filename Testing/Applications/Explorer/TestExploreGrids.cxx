@@ -223,7 +223,7 @@ int TestExploreGrids(int argc, char* argv[])
   Expect(plain.Filter->GetMethod() == vtkVolumeHapticsFilter::PROXY, "a grid has surfaces, too");
   Expect(Explore::Summarise(plain).find(", value ") != std::string::npos, "which have values");
 
-  ExpectGridError(cells, "take one of 'U'", "T");
+  ExpectGridError(cells, "use one of 'U'", "T");
   for (const char* const name : { "words.vtu", "words.vtm", "words.vtk", "words.case" })
   {
     ExpectGridError(WriteWords(name), "cannot be read as");

@@ -113,7 +113,7 @@ void ExpectErrors(const std::string& folder, vtkImageData* head)
         said.find(fault) != std::string::npos,
       "--guide " + file + " gives " + said);
   };
-  expect("plan.step", "unknown ending");
+  expect("plan.step", "unknown extension");
   expect(folder + "/missing.vtp", "there is no such file");
   std::ofstream(folder + "/junk.vtk") << "junk\n";
   expect(folder + "/junk.vtk", "can't be read");
@@ -125,7 +125,8 @@ void ExpectErrors(const std::string& folder, vtkImageData* head)
   vtkNew<vtkSphereSource> far;
   far->SetCenter(1e6, 0.0, 0.0);
   far->Update();
-  expect(Write<vtkSTLWriter>(folder + "/far.stl", far->GetOutput()), "outside of the volume");
+  expect(
+    Write<vtkSTLWriter>(folder + "/far.stl", far->GetOutput()), "lies entirely outside the volume");
   vtkNew<vtkHapticMeasurements> distance;
   const double a[3] = { 0.0, 0.0, 0.0 };
   const double b[3] = { 10.0, 0.0, 0.0 };

@@ -210,7 +210,7 @@ void ExpectWrittenVolumes()
     return TellRefusal(
       [&] { Explore::WriteImage(image, Explore::ParseOptions(4, arguments).WrittenVolume); });
   };
-  Expect(answer("head.vtk").find("take one that ends in .vti") != std::string::npos,
+  Expect(answer("head.vtk").find("use one that ends in .vti") != std::string::npos,
     "a volume is written as .vti only");
   Expect(answer(folder + "/missing/head.vti").find("cannot be written") != std::string::npos,
     "a folder that is missing is told");
@@ -239,10 +239,10 @@ void ExpectTools()
   };
   expectError("needle", false, "the tool needle");
   expectError("burr", false, "the tool burr");
-  expectError("spoon", false, "take needle, burr, or point, or a surface that ends in .stl");
+  expectError("spoon", false, "use needle, burr, or point, or a surface that ends in .stl");
   expectError("tool.step", false, "is not known");
   expectError(folder + "/missing.stl", true, "there is no such file");
-  expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: take the closed");
+  expectError(WriteText("none.stl", "solid none\nendsolid none\n"), true, "Cure: use the closed");
   // Write a tetrahedron beside the origin. After reading, its bounding box is centred at the
   // origin.
   const auto write = [](const char* name, int count, const std::string& faces)
@@ -339,20 +339,20 @@ void ExpectWindowFiles()
     }
   };
   isRefused("--measurements", "head.txt", "ends in .csv, .vtp or .mrk.json");
-  isRefused("--measurements", "head.txt", "has an unknown ending");
+  isRefused("--measurements", "head.txt", "has an unknown extension");
   isRefused("--movie", "head.mp4", "ends in .ogv");
-  isRefused("--script", folder + "/missing.txt", "name a file that is there");
+  isRefused("--script", folder + "/missing.txt", "check its path");
   isRefused("--script", "/dev/zero", "zero is a device or a socket, not a file");
   const auto isNoScript = [&isRefused](const std::string& text, const std::string& wanted)
   { isRefused("--script", WriteText("demo.txt", text), wanted); };
-  isNoScript("0.5 move 0.5 0.5\n\n0.4 key t\n", "line 3: '0.4' is no time");
-  isNoScript("soon key t\n", "line 1: 'soon' is no time");
-  isNoScript("1 jump\n", "'jump' is no event");
+  isNoScript("0.5 move 0.5 0.5\n\n0.4 key t\n", "line 3: '0.4' is not a time");
+  isNoScript("soon key t\n", "line 1: 'soon' is not a time");
+  isNoScript("1 jump\n", "'jump' is not an event");
   isNoScript("1 move 0.5\n", "two fractions of the window");
   isNoScript("1 move 0.5 1.5\n", "two fractions of the window");
   isNoScript("1 stroke 0.5 0.5\n", "a duration in seconds");
   isNoScript("1 wheel 1.5\n", "a whole number of steps");
-  isNoScript("# a comment\n1 key\n", "line 2: its event can't be read");
+  isNoScript("# a comment\n1 key\n", "line 2: it has no valid event");
   isNoScript("1 press middle\n", "takes left or right");
   isNoScript("1 key t now\n", "'now' is one word too many");
   const std::vector<Explore::DemoEvent> events = Explore::ReadDemoScript(WriteText(
@@ -509,8 +509,8 @@ void ExpectPipesAreRefused()
   refuse(write("foam/one.foam", ""), "controlDict is a pipe");
   makePipe(pipes + "/slices/1.dcm");
   makePipe(pipes + "/named/2");
-  refuse(pipes + "/slices", "is a folder without a single DICOM slice, but 1.dcm is a pipe");
-  refuse(pipes + "/named", "is a folder without a single DICOM slice, but 2 is a pipe");
+  refuse(pipes + "/slices", "is a folder without DICOM slices, but 1.dcm is a pipe");
+  refuse(pipes + "/named", "is a folder without DICOM slices, but 2 is a pipe");
   makePipe(pipes + "/stack/1.tif");
   makePipe(pipes + "/stack/2.tif");
   refuse(pipes + "/stack", ".tif is no regular file");
@@ -537,11 +537,11 @@ int TestExploreInputErrors(int argc, char* argv[])
   // 0.30 red + 0.59 green + 0.11 blue = 15 + 59 + 16.5 = 90.5, which a byte stores as 90.
   ExpectComponents(VTK_UNSIGNED_CHAR, 3, "colours: their brightness is used", 90.0);
   ExpectComponents(VTK_UNSIGNED_CHAR, 4, "colours: their brightness is used", 90.0);
-  ExpectComponents(VTK_SHORT, 2, "2 components a voxel: component 0 used", 50.0);
+  ExpectComponents(VTK_SHORT, 2, "2 components per voxel: component 0 used", 50.0);
   ExpectPipesAreRefused();
   ExpectRefusal(folder + "/missing.vti", "no such file");
-  ExpectRefusal(folder + "/empty", "without a single DICOM slice");
-  ExpectRefusal(WriteText("notes.txt", "hello"), "ending that is not known");
+  ExpectRefusal(folder + "/empty", "without DICOM slices");
+  ExpectRefusal(WriteText("notes.txt", "hello"), "unknown extension");
   ExpectRefusal(WriteText("slice.dcm", "hello"), "is not a DICOM slice");
   ExpectRefusal(WriteText("nothing.nrrd", ""), "is empty");
   for (const char* name : { "text.vti", "text.mha", "text.nii", "text.nii.gz", "text.nrrd" })

@@ -203,7 +203,7 @@ int TestExploreLabels(int argc, char* argv[])
 
   Refuse(head, folder + "/none.nii", {}, { "none.nii", "no such file" });
   Refuse(head, folder + "/none.nrrd", {}, { "none.nrrd", "does not exist" });
-  Refuse(head, soft, {}, { "Soft.csv", "ending" });
+  Refuse(head, soft, {}, { "Soft.csv", "extension" });
   Refuse(head, segmentation, { soft, File("Bad.csv", "label,felt\n7,maybe\n") },
     { "--materials", "Bad.csv", "Line 2", "maybe" });
 

@@ -224,7 +224,7 @@ int TestExploreProposal(int argc, char* argv[])
     message = error.what();
   }
   Expect(message.find("--preset propose: No edge") == 0 &&
-      message.find("Cure: take another preset.") != std::string::npos,
+      message.find("Cure: use another preset.") != std::string::npos,
     "a wish that can't be met is an error, not: " + message);
   return failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

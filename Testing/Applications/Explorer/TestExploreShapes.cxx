@@ -84,7 +84,7 @@ void ExpectRecording(
 int TestExploreShapes(int argc, char* argv[])
 {
   folder = MakeTestFolder(argc, argv, "ExploreShapes");
-  const std::string absent = "point that does not exist", promise = "promises elements";
+  const std::string absent = "point that does not exist", promise = "announces more elements";
   const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
   const std::string zeros(40, '\0'); // 36 bytes for three points, 4 for empty faces
   ExpectShape("good.obj", Solid + "3\n", "");

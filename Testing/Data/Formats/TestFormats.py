@@ -75,7 +75,7 @@ def compare_with_python(case, image, said):
     the class names its settings and the explorer its options."""
     if volumehaptics is None:
         return
-    said = re.sub("--series (\\w)", "Series = \\1", said.replace("eave --series out", "eave Series out"))
+    said = re.sub("--series (\\w)", "Series = \\1", said.replace("eave out --series", "eave Series out"))
     reader = volumehaptics.vtkHapticVolumeReader()
     reader.SetFileName(case["path"])
     if "--series" in case["options"]:
@@ -362,7 +362,7 @@ def test_python_takes_a_segmentation_for_labels_by_their_names(touch):
         gone = touch(folder, tip, "CT contrast", labels=labels, materials={"knob": {"felt": False}})
     assert 25.0 < first_touch(there) < 29.0
     one = os.path.join(folder, "IM0003.dcm")
-    with pytest.raises(ValueError, match="(?s)no segmentation .SEG.*Cure: name it as the volume"):
+    with pytest.raises(ValueError, match="(?s)not a segmentation .SEG.*Cure: give it as the volume"):
         touch(folder, tip, "CT contrast", labels=one)
     with pytest.warns(UserWarning):
         assert 25.0 < first_touch(touch(one, tip, "CT contrast")) < 29.0
@@ -389,10 +389,10 @@ def test_a_number_chooses_of_each_of_several_files(tmp_path):
         np.testing.assert_array_equal(found, alone)
     film = path_of("nifti-4d-times")
     assert "is one of several files, and has 3 volumes along its fourth axis" in write(film, film)
-    assert "Cure: name it alone, or take --series 1 to --series 3 of each file" in write(film, film)
+    assert "Cure: open it alone, or use --series 1 to --series 3 of each file" in write(film, film)
     assert "2 frames" in write(film, film, "--series", "1")[0]
     phases = path_of("dicom-phases")
-    assert "is one of several files, and moves itself" in write(phases, phases)
+    assert "is one of several files, and is a moving volume itself" in write(phases, phases)
     assert "frames" in write(phases)[0]
     assert "--array NIFTI: is for files with arrays" in write(film, "--array", "NIFTI")
 
@@ -464,7 +464,7 @@ def test_the_masks_of_a_folder_are_labels_of_their_scan(touch):
     with pytest.warns(UserWarning, match="1 of 3 labels of the table are in no voxel, such as 1 .aorta."):
         gone = touch(scan, tip, "CT contrast", labels=path_of("nifti-masks"), materials={"knob": {"felt": False}})
     assert first_touch(gone) < 25.0  # inside the knob
-    with pytest.raises(ValueError, match="(?s)has several volumes, and labels are one.*Cure: write the volume that is meant"):
+    with pytest.raises(ValueError, match="(?s)has several volumes, and labels need one.*Cure: write the volume that you mean"):
         touch(scan, tip, "CT contrast", labels=path_of("mgh-first-of-frames"))
 
 
@@ -480,10 +480,10 @@ def test_labels_of_a_file_with_several_are_chosen():
         if not name.startswith("nrrd"):  # the last of the layers counts
             with Errors(labels, labels.GetExecutive()) as errors:
                 labels.Update()
-            assert "has several volumes, and labels are one" in errors[0] and "take Series = 1 to Series = " in errors[0]
+            assert "has several volumes, and labels need one" in errors[0] and "use Series = 1 to Series = " in errors[0]
         else:
             labels.Update()
-            assert "labels in 3 layers: of several in a voxel, the last one in the file counts" in labels.GetNotes()
+            assert "labels in 3 layers: where several are in a voxel, the last one in the file counts" in labels.GetNotes()
         for reader in (labels, values):
             reader.SetSeries(2)
             reader.Update()
@@ -525,11 +525,11 @@ LIBRARIES = json.loads((FILES / "libraries" / "libraries.json").read_text())
 # expressions.
 TRUE_NAMES = {"RT Ion Plan Storage": "RT ion plan", "RT Plan Storage": "RT plan", "RT Structure Set Storage": "structure set",
               ".*SR Storage|Comprehensive SR.*": "structured report", ".*ECG.*": "waveform", "Media Storage Directory.*":
-              "directory of a medium|no single DICOM slice|damaged or cut-off", "RT Beams Treatment Record.*": "RT record",
+              "directory of a medium|no single DICOM slice|damaged or truncated", "RT Beams Treatment Record.*": "RT record",
               "AFNIImage": "AFNI|packed file", "PARRECImage": "PAR/REC", "EcatImage": "ECAT", "Minc2Image": "MINC 2"}
 # Faults of a slice that prevent a volume.
-NO_VOLUME = ("is a single slice|too thin|no distance of its pixels|no position of its slices|is it a film|several volumes|mosaic|"
-             "without its pixels|damaged or cut-off|without an image|numbers of colours|turned against each other")
+NO_VOLUME = ("is a single slice|too thin|no pixel spacing|no slice positions|is it a film|several volumes|mosaic|"
+             "without pixel data|damaged or truncated|without an image|palette colours|turned against each other")
 
 
 @pytest.mark.parametrize("file", LIBRARIES, ids=lambda file: file["name"])

@@ -67,13 +67,13 @@ def damaged_mgh(name, change, refused, file="head.mgh"):
         return path
 
 
-damaged_mgh("cut-off", lambda raw: raw[:-60000], "promises voxels that are not in the file")
-damaged_mgh("cut-off-packed", lambda raw: raw[:-5000], "damaged|cut off|promises", "head.mgz")
+damaged_mgh("cut-off", lambda raw: raw[:-60000], "announces more voxels than the file has")
+damaged_mgh("cut-off-packed", lambda raw: raw[:-5000], "damaged|cut off|truncated|announces", "head.mgz")
 damaged_mgh("promises-more", lambda raw: raw[:4] + np.array([30000] * 3, ">i4").tobytes() + raw[16:],
-            "promises voxels that are not in the file")
+            "announces more voxels than the file has")
 damaged_mgh("promises-more-packed", lambda raw: gzip.compress(
     (lambda plain: plain[:4] + np.array([30000] * 3, ">i4").tobytes() + plain[16:])(gzip.decompress(bytes(raw)))),
-            "promises voxels that are not in the file", "head.mgz")
+            "announces more voxels than the file has", "head.mgz")
 damaged_mgh("negative-size", lambda raw: raw[:4] + np.array([-4], ">i4").tobytes() + raw[8:], "no whole number above 0")
 damaged_mgh("unknown-type", lambda raw: raw[:20] + np.array([7], ">i4").tobytes() + raw[24:], "a type that FreeSurfer")
 damaged_mgh("of-text", lambda raw: b"hello", "no file of FreeSurfer")
@@ -162,7 +162,7 @@ minc_case("irregular", refused="unevenly spaced", spacing=b"irregular")
 minc_case("no-limits", refused="no image-min", limits=False)
 
 
-@case("minc-cut-off", refused="promises voxels that are not in the file")
+@case("minc-cut-off", refused="announces more voxels than the file has")
 def minc_cut_off(folder):
     path = save_minc(folder, per_slice=False)
     path.write_bytes(path.read_bytes()[:-60000])
@@ -189,7 +189,7 @@ def minc_header_cut_off(folder):
     return path
 
 
-@case("minc-2", refused="MINC 2, in HDF5, which is not read here", source="nibabel/tests/data/small.mnc")
+@case("minc-2", refused="MINC 2, in HDF5, which is not supported", source="nibabel/tests/data/small.mnc")
 def minc2(folder):
     with h5py.File(folder / "head.mnc", "w") as file:
         file["minc-2.0/image/0/image"] = GRID.sample().transpose()

@@ -112,7 +112,7 @@ def seg(folder):
 
 
 @case("nrrd-seg-in-layers", source="3D Slicer's .seg.nrrd of segments that overlap", labels=("ball", "knob"),
-      told=("labels in 2 layers: of several in a voxel, the last one in the file counts",))
+      told=("labels in 2 layers: where several are in a voxel, the last one in the file counts",))
 def seg_in_layers(folder):
     return save_segments(folder, nrrd_segments(overlapping=True), layers=True)
 
@@ -181,14 +181,14 @@ def byte_skip(folder):
     return folder / "head.nhdr"
 
 
-@case("nrrd-cut-off", refused="cut off|damaged|fewer|short|complete|not in the file")
+@case("nrrd-cut-off", refused="cut off|truncated|announces|damaged|fewer|short|complete|not in the file")
 def nrrd_cut(folder):
     path = save_nrrd(folder, nrrd_header(encoding="raw"))
     path.write_bytes(path.read_bytes()[:-9999])
     return path
 
 
-@case("nrrd-promises-more", refused="cut off|damaged|fewer|short|complete|not in the file|promises")
+@case("nrrd-promises-more", refused="cut off|truncated|announces|damaged|fewer|short|complete|not in the file|announces|truncated")
 def nrrd_more(folder):
     path = save_nrrd(folder, nrrd_header(encoding="raw"))
     path.write_bytes(path.read_bytes().replace(b"sizes: 44 40 42", b"sizes: 44000 40000 42000"))
@@ -254,7 +254,7 @@ for name, compressed in (("4d", False), ("4d-compressed", True)):
               compressed=compressed, told=("volume 2 of 3 is used",), options=("--series", "2"), source="SimpleITK's 4-D")
 meta_case("4d-of-which-none-is-chosen", lambda: SimpleITK.JoinSeries([itk_image(), itk_image()]),
           refused="has 2 volumes, and none with the number 3", options=("--series", "3"))
-meta_case("no-other-to-choose", itk_image, refused="has one volume, of which none can be chosen", options=("--series", "2"))
+meta_case("no-other-to-choose", itk_image, refused="has one volume only", options=("--series", "2"))
 meta_case("met-long", lambda: itk_image(dtype=np.int32), change=replace((b"MET_INT", b"MET_LONG")),
           source="MetaIO: MET_LONG has 4 bytes")
 # MetaIO has buffers for 254 letters (char m_Comment[255] of metaObject.h, name[255] of metaUtils.h), and arrays of
@@ -264,9 +264,9 @@ for name, line in (("comment-of-300-letters", b"Comment = " + 300 * b"c"), ("key
     meta_case(name, itk_image, change=replace((b"NDims = 3\n", b"NDims = 3\n" + line + b"\n")),
               source="MetaIO: strcpy() of metaUtils.cxx and metaObject.cxx")
 meta_case("cut-off", itk_image, change=lambda path: path.write_bytes(path.read_bytes()[:-3000]),
-          refused="cut off|damaged|fewer|short|complete|not in the file")
+          refused="cut off|truncated|announces|damaged|fewer|short|complete|not in the file")
 meta_case("promises-more", itk_image, change=replace((b"DimSize = 44 40 42", b"DimSize = 44000 40000 42000")),
-          refused="cut off|damaged|fewer|short|complete|not in the file|promises")
+          refused="cut off|truncated|announces|damaged|fewer|short|complete|not in the file|announces|truncated")
 meta_case("no-samples", itk_image, "head.mhd", change=lambda path: (path.parent / "head.raw").unlink(),
           refused="missing")
 meta_case("two-dimensions", lambda: itk_image()[:, :, 20], refused="single slice|two dimensions|2")
@@ -470,7 +470,7 @@ def tiff_single(folder):
     return folder / "page.tif"
 
 
-@case("tiff-cut-off", refused="cut off|damaged|fewer|short|complete")
+@case("tiff-cut-off", refused="cut off|truncated|announces|damaged|fewer|short|complete")
 def tiff_cut(folder):
     path = tiff(folder, "stack.tif", UNSIGNED, metadata=None)
     path.write_bytes(path.read_bytes()[:60000])
@@ -599,12 +599,12 @@ refused_case("zip", "head.zip", b"PK\3\4" + bytes(100), "zip|ZIP|unpack")
 refused_case("jpeg", "head.jpg", b"\xff\xd8\xff\xe0" + bytes(100), "jpg|JPEG|picture")
 refused_case("stl", "head.stl", b"solid head\nendsolid head\n", "surface|volume")
 refused_case("ecat", "head.v", b"MATRIX72v" + bytes(600), "ECAT")
-refused_case("tracts", "head.trk", b"TRACK" + bytes(995), "holds tracts")
+refused_case("tracts", "head.trk", b"TRACK" + bytes(995), "has tracts")
 refused_case("packed", "head.dcm.gz", b"\x1f\x8b" + bytes(100), "packed file")
-refused_case("json", "head.json", json.dumps({"a": 1}).encode(), "ending that is not known")
-refused_case("empty-mha", "head.mha", b"", "empty|damaged|cut off|header")
-refused_case("empty-nrrd", "head.nrrd", b"", "empty|damaged|cut off|header|NRRD")
-refused_case("empty-nii", "head.nii", b"", "empty|damaged|cut off|header|NIfTI")
+refused_case("json", "head.json", json.dumps({"a": 1}).encode(), "unknown extension")
+refused_case("empty-mha", "head.mha", b"", "empty|damaged|cut off|truncated|announces|header")
+refused_case("empty-nrrd", "head.nrrd", b"", "empty|damaged|cut off|truncated|announces|header|NRRD")
+refused_case("empty-nii", "head.nii", b"", "empty|damaged|cut off|truncated|announces|header|NIfTI")
 
 
 @case("refused-absent", refused="no such|not there|does not exist|not found|no file")

@@ -218,9 +218,9 @@ def damaged_case(name, change, refused):
         return path
 
 
-damaged_case("cut-off", lambda raw: raw[:-5000], "cut off|damaged|fewer|not in the file|short|complete")
+damaged_case("cut-off", lambda raw: raw[:-5000], "cut off|truncated|announces|damaged|fewer|not in the file|short|complete")
 damaged_case("promises-more", lambda raw: raw[:42] + np.array([30000] * 3, "<i2").tobytes() + raw[48:],
-             "cut off|damaged|fewer|not in the file|short|complete|promises")
+             "cut off|truncated|announces|damaged|fewer|not in the file|short|complete")
 damaged_case("negative-size", lambda raw: raw[:42] + np.array([-4], "<i2").tobytes() + raw[44:],
              "size|damaged|dimension|empty")
 

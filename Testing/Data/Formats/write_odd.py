@@ -136,7 +136,7 @@ def files_stored_higher(folder):
     return folder
 
 
-@case("dicom-ct-of-8-bits", scale=0.1, offset=110.0, tolerance=0.6, told=("can't be|no Hounsfield units",),
+@case("dicom-ct-of-8-bits", scale=0.1, offset=110.0, tolerance=0.6, told=("can't be|not Hounsfield units",),
       source="PS3.3 C.8.2.1: a windowed picture of a CT has no HU", options=("--preset", "histogram"))
 def ct_of_8_bits(folder):
     return save_all(folder, slices(GRID, sampled=110.0 + 0.1 * GRID.sample(float), intercept=0.0, bits=8))
@@ -376,7 +376,7 @@ def singular_sform(folder):
     return nifti(folder, GRID.sample(), change=singular)
 
 
-@case("nifti-pixdim-0", source="dcm2niix: pixdim[3] = 0 for a lost distance of slices", told=("no distance of voxels along index axis 3",), steps=(-1.5, -1.6, 1.0))
+@case("nifti-pixdim-0", source="dcm2niix: pixdim[3] = 0 for a lost distance of slices", told=("no voxel spacing along index axis 3",), steps=(-1.5, -1.6, 1.0))
 def pixdim0(folder):
     path = nifti(folder, GRID.sample())
     raw = bytearray(path.read_bytes())
@@ -724,8 +724,8 @@ def zarr_plate(folder):
 # Files that the reader refuses because of their names.
 
 for name, file, content, refused in (
-        ("numpy", "head.npy", b"\x93NUMPY\1\0" + bytes(100), "array of NumPy"),
-        ("matlab", "head.mat", b"MATLAB 5.0 MAT-file" + bytes(200), "file of MATLAB"),
+        ("numpy", "head.npy", b"\x93NUMPY\1\0" + bytes(100), "NumPy array"),
+        ("matlab", "head.mat", b"MATLAB 5.0 MAT-file" + bytes(200), "MATLAB file"),
         ("mrc", "head.mrc", bytes(208) + b"MAP DA\0\0" + bytes(2000), "density map"),
         ("microscope", "head.czi", b"ZISRAWFILE" + bytes(600), "microscope's own format"),
         ("raw", "head.raw", bytes(4000), "has no header"),

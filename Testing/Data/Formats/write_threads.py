@@ -100,7 +100,7 @@ def frames_with_spacing(folder):
     return save(folder, frames(True), "frames.dcm")
 
 
-@case("dicom-frames-with-a-thickness", source="Slicer/Slicer#7496: thickness is no distance", refused="does not tell where")
+@case("dicom-frames-with-a-thickness", source="Slicer/Slicer#7496: thickness is no distance", refused="positions are not given")
 def frames_with_thickness(folder):
     return save(folder, frames(False), "frames.dcm")
 
@@ -283,7 +283,7 @@ def block_lost(folder):
 
 
 @case("dicom-first-place-twice", source="rordenlab/dcm2niix#539: another slice at the place of the first one",
-      refused="two slices at the same place|several volumes")
+      refused="two slices at the same position|several volumes")
 def first_twice(folder):
     sets = slices(GRID)
     other = slices(GRID)[0]
@@ -430,7 +430,7 @@ def organs(folder, other=None):
 ORGANS = {"labels": ("ball", "knob"), "first_label": 2, "source": "wasserth/TotalSegmentator's folder of masks"}
 
 
-@case("nifti-masks", told=("3 masks are labels",), **ORGANS)
+@case("nifti-masks", told=("3 masks are used as labels",), **ORGANS)
 def masks(folder):
     return organs(folder)
 
@@ -445,11 +445,11 @@ def mask_not_chosen(folder):
     return organs(folder)
 
 
-@case("nifti-masks-of-two-sizes", refused="has other voxels than the mask")
+@case("nifti-masks-of-two-sizes", refused="has a different grid from the mask")
 def masks_of_two_sizes(folder):
     return organs(folder, np.ones((5, 6, 7), np.uint8))
 
 
-@case("nifti-masks-beside-a-scan", refused="is no mask, as the others in its folder are")
+@case("nifti-masks-beside-a-scan", refused="is not a mask, unlike the others in its folder")
 def masks_beside_scan(folder):
     return organs(folder, GRID.sample())

@@ -96,7 +96,7 @@ TEST_P(DualSenses, FaultsAreSilenceAndAText)
   this->Begin();
   this->PressUntilFelt();
   this->Model.IsSilent = true;
-  this->Bench.ExpectLost("does not report any more. Look after its cable or battery");
+  this->Bench.ExpectLost("no longer reports. Check its cable or battery");
   EXPECT_TRUE(Eventually([&] { return this->Model.IsStill(); }));
   this->Model.IsSilent = false;
   this->Bench.Device->Home();

@@ -97,7 +97,7 @@ TEST(HidClaim, IdsThatOpenNothing)
   {
     EXPECT_TRUE(Has(ErrorOf(id), "give \"pid\", or \"pid:VVVV:PPPP\"")) << id;
   }
-  EXPECT_TRUE(Has(ErrorOf("wooden:x"), "is no device id"));
+  EXPECT_TRUE(Has(ErrorOf("wooden:x"), "is not a device id"));
   DeviceOptions options;
   options.NewtonsPerFullScale = { 1.0, HUGE_VAL };
   EXPECT_TRUE(Has(ErrorOf("pid", options), "NewtonsPerFullScale has to be finite"));

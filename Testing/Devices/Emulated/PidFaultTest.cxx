@@ -67,7 +67,7 @@ TEST_F(PidFaults, AStickThatReportedAllTheTimeMayNotFallSilent)
   this->Model.SetGoal(Wall + 0.01, 0.0);
   ASSERT_TRUE(Eventually([&] { return this->Model.GetForce()[0] < -1.0; }));
   this->Model.Fault = FfbFault::Silence;
-  this->Bench.ExpectLost("does not report where it is any more");
+  this->Bench.ExpectLost("no longer reports its position");
   EXPECT_TRUE(this->IsQuiet());
   this->Model.Fault = FfbFault::None;
   this->Bench.Device->Home();
@@ -91,7 +91,7 @@ TEST_F(PidFaults, AStickThatOnlySaysNewsIsAskedToBeMovedAndMayRest)
 TEST_F(PidFaults, AfterAWriteErrorEffectsEndByThemselves)
 {
   this->Break(FfbFault::WriteError);
-  this->Bench.ExpectLost("does not take what is sent to it");
+  this->Bench.ExpectLost("does not accept what is sent to it");
   EXPECT_TRUE(Eventually([&] { return this->Model.CountPlaying() == 0; }));
   EXPECT_EQ(Size(this->Model.GetForce()), 0.0);
 }

@@ -45,7 +45,7 @@ TEST(PidStuck, IsWaitedForOnceWhereItIsLostAndOnceWhereItIsClosed)
   ASSERT_TRUE(bench.Open("pid")) << bench.Error;
   ASSERT_TRUE(bench.WaitFor(DeviceStage::Ready)) << bench.Text();
   model.IsStuck = true;
-  EXPECT_TRUE(bench.WaitForText("does not take what is sent to it")) << bench.Text();
+  EXPECT_TRUE(bench.WaitForText("does not accept what is sent to it")) << bench.Text();
   std::this_thread::sleep_for(std::chrono::milliseconds(1500));
   EXPECT_EQ(model.Refused, 1);
   EXPECT_EQ(Size(model.GetForce()), 0.0);

@@ -83,7 +83,7 @@ TEST_F(Wheel, IsListedAndHasItsLimits)
   EXPECT_TRUE(Has(ErrorOf("wheel:1", this->Options), "Count from 0"));
   this->Bench.Device->Close();
   this->Model.Refuses = true;
-  EXPECT_TRUE(Has(ErrorOf("wheel", this->Options), "does not take a constant force"));
+  EXPECT_TRUE(Has(ErrorOf("wheel", this->Options), "does not accept a constant force"));
   this->Options.NewtonsPerFullScale[0] = 0.0;
   EXPECT_TRUE(Has(ErrorOf("wheel", this->Options), "not 0"));
 }
@@ -140,7 +140,7 @@ TEST_F(Wheel, WhatItDoesNotTakeIsALossWithAText)
   ASSERT_NO_FATAL_FAILURE(this->Open());
   ASSERT_NO_FATAL_FAILURE(this->Feel());
   this->Model.Refuses = true;
-  this->Bench.ExpectLost("does not take what is sent to it");
+  this->Bench.ExpectLost("does not accept what is sent to it");
   EXPECT_TRUE(Eventually([&] { return this->Model.GetForce() == 0.0; })) << "its effect ends";
   this->Model.Refuses = false;
   this->Bench.Device->Home();

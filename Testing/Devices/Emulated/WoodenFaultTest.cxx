@@ -62,7 +62,7 @@ TEST_F(WoodenFaults, SilenceAndBackByHoming)
   this->Model.Fault = WoodenFault::None;
   this->Bench.Device->Home();
   // The device may have lost power unnoticed, so it must be calibrated again.
-  ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  ASSERT_TRUE(this->Bench.WaitForText("needs to know where its arm is")) << this->Bench.Text();
   ASSERT_TRUE(this->GoToRest());
   this->Bench.Device->Home();
   this->FeelAgain();
@@ -85,7 +85,7 @@ TEST_F(WoodenFaults, ADeviceThatHangsFallsSilentAtOnce)
 
 TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
 {
-  this->Break(WoodenFault::WriteError, "does not take what is sent to it");
+  this->Break(WoodenFault::WriteError, "does not accept what is sent to it");
   // Packets would keep the watchdog from acting. Without them, the currents become zero half a
   // second later.
   this->Model.Fault = WoodenFault::None;
@@ -98,11 +98,11 @@ TEST_F(WoodenFaults, WriteErrorLeavesItToTheFirmware)
 
 TEST_F(WoodenFaults, AJumpOfAnEncoderAsksForTheZero)
 {
-  this->Break(WoodenFault::Jump, "a jump of its arm that no hand makes");
+  this->Break(WoodenFault::Jump, "a jump of its arm that no hand can make");
   EXPECT_TRUE(this->IsQuiet());
   this->Model.Fault = WoodenFault::None;
   this->Bench.Device->Home();
-  EXPECT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  EXPECT_TRUE(this->Bench.WaitForText("needs to know where its arm is")) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
 }
 
@@ -112,7 +112,7 @@ TEST_F(WoodenFaults, ALostZeroIsToldAnew)
   EXPECT_TRUE(this->IsQuiet());
   this->Model.PowerUp();
   this->Bench.Device->Home();
-  EXPECT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  EXPECT_TRUE(this->Bench.WaitForText("needs to know where its arm is")) << this->Bench.Text();
   this->Bench.Device->Home();
   this->FeelAgain();
   EXPECT_EQ(this->Model.GetPresets(), 2);
@@ -126,7 +126,7 @@ TEST_F(WoodenFaults, ItsCalibrationButtonCutsTheForceUntilItIsCalibrated)
   this->Bench.ExpectLost("its calibration button was pressed");
   EXPECT_TRUE(this->IsQuiet());
   this->Bench.Device->Home();
-  ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+  ASSERT_TRUE(this->Bench.WaitForText("needs to know where its arm is")) << this->Bench.Text();
   ASSERT_TRUE(this->GoToRest());
   this->Bench.Device->Home();
   this->FeelAgain();
@@ -139,7 +139,7 @@ TEST_F(WoodenFaults, AZeroThatIsNotTakenIsAskedForAgain)
   ASSERT_TRUE(this->Bench.Open("wooden")) << this->Bench.Error;
   ASSERT_TRUE(this->Bench.WaitForText("rest pose"));
   this->Bench.Device->Home();
-  EXPECT_TRUE(this->Bench.WaitForText("did not take in where its arm is")) << this->Bench.Text();
+  EXPECT_TRUE(this->Bench.WaitForText("did not accept the pose of its arm")) << this->Bench.Text();
   // Expect these bytes: no currents, command 1, encoders 0, 0, 6000.
   EXPECT_EQ(this->Model.GetLastPreset(),
     (std::vector<std::uint8_t>{ 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0x70, 0x17 }));

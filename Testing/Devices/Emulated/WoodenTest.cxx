@@ -48,7 +48,7 @@ TEST_F(Wooden, OneThatSaysWhatItIsIsAskedAtOnce)
   const EmulatedHid hid(named);
   DeviceBench bench;
   ASSERT_TRUE(bench.Open("wooden:1")) << bench.Error;
-  EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  EXPECT_TRUE(bench.WaitForText("needs to know where its arm is")) << bench.Text();
   EXPECT_GT(named.GetPackets(), 0);
 }
 

@@ -152,13 +152,13 @@ TEST_F(HaplyFaults, TheServiceSendsPingsWithoutEndAndReadsNothing)
 TEST_F(HaplyFaults, ThePositionIsNoNumber)
 {
   this->Service->Break(HaplyFault::NoNumber);
-  this->ExpectLost("tells its position in something else than numbers");
+  this->ExpectLost("reports a position that is not a number");
 }
 
 TEST_F(HaplyFaults, TheTransformIsNoNumber)
 {
   this->Service->Break(HaplyFault::NoScale);
-  this->ExpectLost("tells its position in something else than numbers");
+  this->ExpectLost("reports a position that is not a number");
 }
 
 TEST_F(HaplyFaults, TheServiceSendsJunk)
@@ -178,20 +178,20 @@ TEST_F(HaplyFaults, AnEventOfDeepJsonIsPassedOver)
   ASSERT_TRUE(Eventually([&] { return this->Service->CountListeners() == 1; }));
   this->Service->PushEvent("{\"data\":" + HaplyState::DeepJson() + "}");
   this->Service->PushEvent(MakeEvent("device-safety-triggered", "warning", "049D", "Stall"));
-  EXPECT_TRUE(this->Bench.WaitForText("tells a warning: Stall"));
+  EXPECT_TRUE(this->Bench.WaitForText("warns: Stall"));
 }
 
 TEST_F(HaplyFaults, ThePositionIsNotTold)
 {
   this->Service->Break(HaplyFault::Blind);
-  this->ExpectLost("does not tell its position");
+  this->ExpectLost("does not report its position");
 }
 
 TEST_F(HaplyFaults, ThePositionIsNotToldAndTheServiceIsSlow)
 {
   // The service answers slowly, so nearly always a message is unanswered.
   this->Service->Break(HaplyFault::SlowBlind);
-  this->ExpectLost("does not tell its position");
+  this->ExpectLost("does not report its position");
 }
 
 TEST_F(HaplyFaults, TheArmIsUnplugged)
@@ -218,22 +218,22 @@ TEST_F(HaplyFaults, TheCalibrationIsLost)
 TEST_F(HaplyFaults, TheArmIsNotReadyAnyMore)
 {
   this->Service->SetReady(false);
-  this->ExpectLost("is not ready any more");
+  this->ExpectLost("is no longer ready");
 }
 
 TEST_F(HaplyFaults, ThePositionSteps)
 {
   this->Service->Shift({ 0.0, 0.3, 0.0 });
-  this->ExpectLost("was moved without the hand");
+  this->ExpectLost("jumped while no hand moved it");
 }
 
 TEST_F(HaplyFaults, TheWorkspaceIsScaled)
 {
   this->Service->SetTransform({}, 2.0);
-  this->ExpectLost("has a workspace that is scaled");
+  this->ExpectLost("has a scaled workspace");
   this->Bench.Device->Home();
   EXPECT_TRUE(Eventually([&] { return this->Service->GetSessions().size() == 2; }));
-  EXPECT_TRUE(this->Bench.WaitForText("has a workspace that is scaled")) << "still";
+  EXPECT_TRUE(this->Bench.WaitForText("has a scaled workspace")) << "still";
   this->Service->SetTransform({}, 1.0);
   this->Bench.Device->Home();
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -244,7 +244,7 @@ TEST_F(HaplyFaults, TheWorkspaceIsScaled)
 TEST_F(HaplyFaults, TheWorkspaceIsMovedUnderTheHand)
 {
   this->Service->SetTransform({ 0.0, 0.001, 0.0 }, 1.0);
-  this->ExpectLost("was moved without the hand");
+  this->ExpectLost("jumped while no hand moved it");
   // The new position is accepted if it persists.
   this->Bench.Device->Home();
   ASSERT_TRUE(this->Bench.WaitFor(DeviceStage::Ready)) << this->Bench.Text();
@@ -259,7 +259,7 @@ TEST_F(HaplyFaults, AnEventOfTheArmStopsIt)
   this->Service->PushEvent(MakeEvent("device-safety-triggered", "error", "04BA", "of another arm"));
   this->Service->PushEvent(
     MakeEvent("device-safety-triggered", "warning", "049D", "Motor stall detected"));
-  EXPECT_TRUE(this->Bench.WaitForText("tells a warning: Motor stall detected"));
+  EXPECT_TRUE(this->Bench.WaitForText("warns: Motor stall detected"));
   EXPECT_TRUE(this->Bench.Press([] {}, [] {}, [&] { return this->IsHeld(); })) << "it goes on";
   this->Service->PushEvent(
     MakeEvent("device-safety-triggered", "error", "049D", "Emergency brake engaged"));
@@ -347,7 +347,7 @@ TEST(HaplyErrors, SayWhatToDo)
     setenv("VOLUMEHAPTICS_HAPLY", ports, 1);
     EXPECT_TRUE(Has(ErrorOf("haply"), "Give the ports")) << ports;
   }
-  EXPECT_TRUE(Has(ErrorOf("haply:"), "is no device id"));
+  EXPECT_TRUE(Has(ErrorOf("haply:"), "is not a device id"));
   {
     const HaplyService service(shape);
     EXPECT_EQ(MissingText(), "") << "a service that runs";
@@ -370,7 +370,7 @@ TEST(HaplyErrors, SayWhatToDo)
   {
     shape.Version = "main";
     const HaplyService service(shape);
-    EXPECT_TRUE(Has(ErrorOf("haply"), "does not tell its version")) << ErrorOf("haply");
+    EXPECT_TRUE(Has(ErrorOf("haply"), "does not report its version")) << ErrorOf("haply");
   }
   shape.Version = "3.5.0";
   {

@@ -252,6 +252,6 @@ TEST_F(HaplySessions, AnOriginThatIsNotToldKeepsTheArmFromBeingReady)
   shape.TellsConfig = false;
   this->Serve(shape);
   ASSERT_TRUE(this->Bench.Open("haply")) << this->Bench.Error;
-  ASSERT_TRUE(this->Bench.WaitForText("does not tell where its origin is")) << this->Bench.Text();
+  ASSERT_TRUE(this->Bench.WaitForText("does not report its origin")) << this->Bench.Text();
   EXPECT_EQ(this->Bench.Device->GetCondition().Stage, DeviceStage::Homing);
 }

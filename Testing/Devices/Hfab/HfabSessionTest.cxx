@@ -50,7 +50,7 @@ struct HfabRig
       {
         this->Bench.Device->Home();
       }
-      ASSERT_TRUE(this->Bench.WaitForText("has to be told where its arm is")) << this->Bench.Text();
+      ASSERT_TRUE(this->Bench.WaitForText("needs to know where its arm is")) << this->Bench.Text();
       this->Arm.PlaceAtHome();
       this->Bench.Device->Home();
       EXPECT_TRUE(Eventually(
@@ -154,7 +154,7 @@ TEST_F(Hfab, IsUncalibratedWheneverItIsOpened)
   bench.Stop();
   ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
   ASSERT_TRUE(bench.Reopen()) << bench.Error;
-  EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  EXPECT_TRUE(bench.WaitForText("needs to know where its arm is")) << bench.Text();
 }
 
 TEST_F(Hfab, AFirmwareThatWantsItsButtonIsNotCalibratedBeforeIt)
@@ -162,7 +162,7 @@ TEST_F(Hfab, AFirmwareThatWantsItsButtonIsNotCalibratedBeforeIt)
   this->Rig.Arm.NeedButton();
   DeviceBench& bench = this->Rig.Bench;
   ASSERT_TRUE(bench.Open(this->Rig.GetId())) << bench.Error;
-  ASSERT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  ASSERT_TRUE(bench.WaitForText("needs to know where its arm is")) << bench.Text();
   this->Rig.Arm.PlaceAtHome();
   bench.Device->Home();
   ASSERT_TRUE(bench.WaitForText("press the button of its controller")) << bench.Text();
@@ -190,7 +190,7 @@ TEST_F(Hfab, SilenceCutsTheForceAndCalibrationBringsItBack)
   this->Break(HfabFault::Silence, "does not answer");
   this->Rig.Arm.Fault = HfabFault::None;
   this->Rig.Bench.Device->Home();
-  ASSERT_TRUE(this->Rig.Bench.WaitForText("has to be told where its arm is"));
+  ASSERT_TRUE(this->Rig.Bench.WaitForText("needs to know where its arm is"));
   ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
 }
 
@@ -214,11 +214,11 @@ TEST_F(Hfab, AJumpCutsTheForce)
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       return bench.Device->GetCondition().Stage == DeviceStage::Lost;
     }));
-  bench.ExpectLost("a jump of its arm that no hand makes");
+  bench.ExpectLost("a jump of its arm that no hand can make");
   EXPECT_TRUE(this->Rig.IsQuiet());
   this->Rig.Arm.Fault = HfabFault::None;
   bench.Device->Home();
-  ASSERT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  ASSERT_TRUE(bench.WaitForText("needs to know where its arm is")) << bench.Text();
   ASSERT_NO_FATAL_FAILURE(this->Rig.Calibrate());
 }
 
@@ -323,7 +323,7 @@ TEST_F(Hfab, AnArmThatIsBackAsksForItsPose)
   HfabRig again(3);
   std::filesystem::create_symlink(again.Arm.GetPort(), port);
   bench.ExpectBack();
-  EXPECT_TRUE(bench.WaitForText("has to be told where its arm is")) << bench.Text();
+  EXPECT_TRUE(bench.WaitForText("needs to know where its arm is")) << bench.Text();
   EXPECT_TRUE(Eventually([&] { return again.Arm.GetMessages() > 50; }));
   EXPECT_EQ(again.Arm.GetCurrents(), NoCurrents);
   bench.Stop();
@@ -377,7 +377,7 @@ TEST_F(Hfab, ForcesThatAreNotRenewedFadeAndQuenchIsAtOnce)
 
 TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
 {
-  EXPECT_TRUE(Has(ErrorOf("hfab:ttyACM0"), "is no device id"));
+  EXPECT_TRUE(Has(ErrorOf("hfab:ttyACM0"), "is not a device id"));
   EXPECT_TRUE(Has(ErrorOf("hfab:/dev/no-such-port"), "not plugged in"));
   EXPECT_TRUE(Has(ErrorOf("hfab:/dev/null"), "not a serial port"));
   ASSERT_TRUE(this->Rig.Bench.Open(this->Rig.GetId())) << this->Rig.Bench.Error;
@@ -388,7 +388,7 @@ TEST_F(Hfab, APortThatCannotBeUsedIsAnErrorWithACure)
   this->Rig.Arm.Fault = HfabFault::Silence;
   EXPECT_TRUE(Has(ErrorOf(this->Rig.GetId()), "does not answer"));
   this->Rig.Arm.Fault = HfabFault::Junk;
-  EXPECT_TRUE(Has(ErrorOf(this->Rig.GetId()), "none of an hfab controller"));
+  EXPECT_TRUE(Has(ErrorOf(this->Rig.GetId()), "an hfab controller does not send"));
   const HfabEmulator other(7);
   EXPECT_TRUE(Has(ErrorOf("hfab:" + other.GetPort()), "the model 7"));
 }

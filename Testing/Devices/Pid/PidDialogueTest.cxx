@@ -125,7 +125,7 @@ TEST(PidDialogue, SaysWhyItFails)
   dialogue.Sent(false);
   HidReport report;
   EXPECT_EQ(dialogue.GetStep(report), PidStep::Failed);
-  EXPECT_NE(dialogue.GetError().find("does not take"), std::string::npos);
+  EXPECT_NE(dialogue.GetError().find("does not accept"), std::string::npos);
 }
 
 TEST(PidDialogue, LeavesOutWhatTheDeviceHasNot)

@@ -328,7 +328,7 @@ TEST_F(ForceDimension, AWriteThatFailsIsAFault)
 
 TEST_F(ForceDimension, APositionThatIsNoNumberCutsTheForce)
 {
-  this->Break([](FakeForceDimension& fake) { fake.TellsNonsense = true; }, "can't be");
+  this->Break([](FakeForceDimension& fake) { fake.TellsNonsense = true; }, "impossible position");
   EXPECT_TRUE(this->IsQuiet());
 }
 

@@ -268,7 +268,7 @@ TEST_F(OpenHaptics, ASchedulerThatStandsStillIsAFault)
 
 TEST_F(OpenHaptics, APositionThatIsNoNumberCutsTheForce)
 {
-  this->Break([](FakeOpenHaptics& fake) { fake.TellsNonsense = true; }, "can't be");
+  this->Break([](FakeOpenHaptics& fake) { fake.TellsNonsense = true; }, "impossible position");
   EXPECT_TRUE(this->IsQuiet());
 }
 

@@ -398,13 +398,13 @@ TEST_F(VendorDevice, APositionThatIsNoNumberCutsTheForce)
 {
   this->Break([](PlayedVendor& played)
     { played.Pose.Position[1] = std::numeric_limits<double>::quiet_NaN(); },
-    "told a position that can't be");
+    "reported an impossible position");
 }
 
 TEST_F(VendorDevice, APositionInMillimetresCutsTheForce)
 {
-  this->Break(
-    [](PlayedVendor& played) { played.Pose.Position[1] = 50.0; }, "told a position that can't be");
+  this->Break([](PlayedVendor& played) { played.Pose.Position[1] = 50.0; },
+    "reported an impossible position");
 }
 
 TEST_F(VendorDevice, ACallThatHangsCutsTheForce)

@@ -165,10 +165,10 @@ TEST_F(VendorLoader, LoadsNothingThatBelongsToAnotherUser)
 TEST_F(VendorLoader, NothingIsSearchedBesideTheFolders)
 {
   this->Folder.Add("played");
-  EXPECT_TRUE(Has(Refused("vendor:../played"), "is no device id"));
-  EXPECT_TRUE(Has(Refused("vendor:/tmp/x:0"), "is no device id"));
-  EXPECT_TRUE(Has(Refused("vendor"), "is no device id"));
-  EXPECT_TRUE(Has(Refused("vendor:played:x"), "is no device id"));
+  EXPECT_TRUE(Has(Refused("vendor:../played"), "is not a device id"));
+  EXPECT_TRUE(Has(Refused("vendor:/tmp/x:0"), "is not a device id"));
+  EXPECT_TRUE(Has(Refused("vendor"), "is not a device id"));
+  EXPECT_TRUE(Has(Refused("vendor:played:x"), "is not a device id"));
   EXPECT_TRUE(Has(Refused("vendor:played:2"), "has no device 2"));
   EXPECT_TRUE(Has(Refused("vendor:other"), "libvolumehaptics-other.so")) << Refused("vendor:other");
   setenv("VOLUMEHAPTICS_VENDOR_PATH", "plugins", 1);

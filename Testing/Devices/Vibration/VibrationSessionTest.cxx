@@ -143,7 +143,7 @@ TEST_F(VibrationSession, AGloveThatIsSwitchedOffIsLost)
   player.SendJunk();
   EXPECT_TRUE(this->Knock([&] { return Largest(player.Get()) > 0; })) << "junk is no status";
   player.SetPlaces({ "GloveL" });
-  this->Bench.ExpectLost("is not connected to bHaptics' Player any more");
+  this->Bench.ExpectLost("is no longer connected to bHaptics' Player");
   player.SetPlaces({ "GloveL", "GloveR" });
   this->Bench.ExpectBack();
 }
@@ -152,7 +152,7 @@ TEST_F(VibrationSession, APlayerThatTellsEverythingButItsStatusIsGivenUp)
 {
   PlayedBhaptics player;
   player.Flood();
-  EXPECT_TRUE(Has(ErrorOf("vibration:bhaptics"), "does not tell which devices are connected"));
+  EXPECT_TRUE(Has(ErrorOf("vibration:bhaptics"), "does not list the connected devices"));
 }
 
 TEST_F(VibrationSession, ThereIsALastWordEvenWithoutMemory)
@@ -234,7 +234,7 @@ TEST_F(VibrationSession, WeartIsLostWithItsDeviceAndWithItsMiddleware)
   PlayedWeart weart;
   ASSERT_NO_FATAL_FAILURE(this->Begin("vibration:weart"));
   weart.SetHands({});
-  this->Bench.ExpectLost("is not connected to WEART's middleware any more");
+  this->Bench.ExpectLost("is no longer connected to WEART's middleware");
   weart.SetHands({ "RIGHT" });
   this->Bench.ExpectBack();
   weart.Die();
@@ -310,7 +310,7 @@ TEST_F(VibrationSession, HapbeatThatAnswersNoMoreIsLostAndComesBack)
   ASSERT_NO_FATAL_FAILURE(
     this->Begin("vibration:hapbeat:127.0.0.1:" + std::to_string(hapbeat.GetPort())));
   hapbeat.SetSilent(true);
-  this->Bench.ExpectLost("does not answer any more");
+  this->Bench.ExpectLost("no longer answers");
   hapbeat.SetSilent(false);
   this->Bench.ExpectBack();
 }

@@ -121,7 +121,7 @@ TEST(XrDevice, GivesNoForceAndIsLedByTheProgram)
     EXPECT_EQ(MakeDevice(id, {}, error), nullptr) << id;
   }
   MakeDevice("vibration:xr:0", {}, error);
-  EXPECT_TRUE(HasWords(error, "is no device id: give \"vibration:xr\""));
+  EXPECT_TRUE(HasWords(error, "is not a device id: give \"vibration:xr\""));
 }
 
 TEST(XrDevice, TheListSaysWhatIsMissing)

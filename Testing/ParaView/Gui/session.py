@@ -409,8 +409,8 @@ class Session:
         head, file, sphere = simple.FindSource("HeadPhantom.vti"), os.path.join(OUTPUT, "cure.json"), simple.Sphere()
         sphere.UpdatePipeline()
         simple.SetActiveSource(sphere)
-        for told, words in ((self.call("loadPreset", file), "There is nothing to be felt yet: attach first."),
-                            (self.call("savePreset", file), "There is nothing felt to be saved: attach first."),
+        for told, words in ((self.call("loadPreset", file), "Nothing can be felt yet: attach a device first."),
+                            (self.call("savePreset", file), "There is nothing to save yet: attach a device first."),
                             (self.call("showAsCT"), "Select a volume in the pipeline browser, and click on a render view."),
                             (self.press_button("HapticAttach"), "can't be felt. Select a volume in the pipeline browser")):
             assert words in told, (told, words)
@@ -515,7 +515,7 @@ class Session:
             port = next(line for line in server.stdout if line.startswith("Accepting connection")).strip().rsplit(":", 1)[1]
             simple.Connect("127.0.0.1", int(port))
             told = self.call("openRecorded")
-            assert told == file + " is a file of this computer, which the server does not read: open it there.", told
+            assert told == file + " is on this computer, where the server can't read it: open it on the server.", told
             simple.Connect()
         finally:
             server.kill()

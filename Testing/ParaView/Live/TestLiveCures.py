@@ -93,7 +93,7 @@ live.check(not report and force > HELD, "a file is felt", force, report)
 # A device.
 device = simple.HapticDevice(Touch=wavelet)
 device.Running = 1
-live.check(live.poll(device, lambda: "Touch names something that is no Volume Haptics filter" in device.StatusText),
+live.check(live.poll(device, lambda: "Touch does not name a Volume Haptics filter" in device.StatusText),
            "no filter", device.StatusText)
 
 
@@ -106,7 +106,7 @@ device.Running = 0
 device.Touch = touch
 hold()
 device.Touch = None
-live.check(live.poll(device, lambda: "there is nothing to touch any more: set Touch" in device.StatusText), "nothing to touch",
+live.check(live.poll(device, lambda: "there is nothing left to touch: set Touch" in device.StatusText), "nothing to touch",
            device.StatusText)
 device.Touch = touch
 hold()

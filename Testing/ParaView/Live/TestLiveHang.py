@@ -36,7 +36,7 @@ with server:
     waited = time.monotonic() - began
     device.UpdatePipeline()
     live.check(waited > HANG - 0.5, "the client waited", waited)
-    live.check(live.norm(device.Force) == 0.0 and device.Armed == 0, "the force was taken away", device.StatusText)
+    live.check(live.norm(device.Force) == 0.0 and device.Armed == 0, "the force was switched off", device.StatusText)
     live.check("Attention Time" in device.StatusText, "what happened, and the cure", device.StatusText)
     device.Recording = 0
     device.Armed = 1

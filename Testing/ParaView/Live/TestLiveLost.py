@@ -58,7 +58,7 @@ with live.Server():
     device.SMProxy.AddObserver("ErrorEvent", note)
     device.RecordingFile = os.path.join(live.FOLDER, "nowhere", "felt.csv")
     device.Recording = 1
-    live.check(len(errors) == 1 and "Choose a RecordingFile in a folder that can be" in errors[0], "there is no folder", errors)
+    live.check(len(errors) == 1 and "Choose a RecordingFile in a folder that you may write to" in errors[0], "there is no folder", errors)
     errors.clear()
     device.Recording = 0
     device.RecordingFile = os.path.join(live.FOLDER, "felt.csv")

@@ -173,7 +173,7 @@ protected:
     }
     if (!this->IsAt(vtkHapticDevice::READY) && this->Arm.PutIntoPose())
     {
-      ASSERT_TRUE(this->Hand.Wait([this] { return this->Hand.Says("told where its arm is"); }))
+      ASSERT_TRUE(this->Hand.Wait([this] { return this->Hand.Says("know where its arm is"); }))
         << this->Device->GetStatusText();
       this->Device->Home();
     }

@@ -116,7 +116,7 @@ void SetKind(
   if (areLabels)
   {
     analysis.Kind = Explore::VolumeKind::Labels;
-    reason << " are numbers of labels";
+    reason << " are label numbers";
   }
   else if (isField)
   {
@@ -127,7 +127,7 @@ void SetKind(
     analysis.Range[1] >= 300.0 && analysis.Range[1] <= 40000.0)
   {
     analysis.Kind = Explore::VolumeKind::CT;
-    reason << " look like Hounsfield units: taken for CT";
+    reason << " look like Hounsfield units: treated as CT";
   }
   else if (whole && analysis.Range[0] >= 0.0 && analysis.Range[1] <= 255.0)
   {

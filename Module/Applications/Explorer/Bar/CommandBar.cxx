@@ -154,7 +154,7 @@ CommandBar::CommandBar(
     interactor->AddObserver(event, this->ReleaseObserver);
   }
   commands.Add(this,
-    { "Window", "this bar", "Ctrl+b", [this] { this->IsShown = !this->IsShown; },
+    { "Window", "this bar on or off", "Ctrl+b", [this] { this->IsShown = !this->IsShown; },
       [this] { return this->IsShown; }, nullptr });
 }
 
@@ -562,7 +562,7 @@ std::string CommandBar::DescribeButton(const Button& button, std::string& key) c
   const Command command = this->All.FindButton(button.Picture);
   key = CommandTable::LabelKey(command.Key);
   const std::string label = button.Label;
-  return !command.Run                              ? label + ": not for this volume"
+  return !command.Run                              ? label + ": not available for this volume"
     : command.Text.rfind(':') != std::string::npos ? BeginUpper(command.Text)
                                                    : label + ": " + command.Text;
 }

@@ -216,7 +216,7 @@ Exploration ExploreVolume(const Volume& volume, const Settings& settings, const 
   if (map.IsEmpty())
   {
     throw InputError(volume.Name, "has no surface that faces the camera",
-      "turn it with --front and --up, or crop it to little more than what is to be felt");
+      "turn it with --front and --up, or crop it closely to what you want to feel");
   }
   result.Tip = PlanTipPath(map, result.View, result.Values.MetersPerWorldUnit, result.ServoRate);
 

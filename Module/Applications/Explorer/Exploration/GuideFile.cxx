@@ -40,8 +40,8 @@ vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
     {
       return nullptr;
     }
-    throw InputError(Option + " " + name, "no measurements can be read: " + capture.FirstError(),
-      "name a file that Ctrl+S in the window saved");
+    throw InputError(Option + " " + name, "its measurements can't be read: " + capture.FirstError(),
+      "give a file saved with Ctrl+S in the window");
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkPolyData> ReadMeasuredPaths(const std::string& name)
   if (lines->GetNumberOfCells() == 0)
   {
     throw InputError(
-      Option + " " + name, "its measurements have no path", "measure one with key 4 of the window");
+      Option + " " + name, "its measurements have no path", "measure one with key 4 in the window");
   }
   auto path = vtkSmartPointer<vtkPolyData>::New();
   path->SetPoints(points);
@@ -81,7 +81,7 @@ vtkSmartPointer<vtkPolyData> ReadGuide(const std::string& name)
       return paths;
     }
   }
-  return Explore::ReadShapeFile(Option, name, "correct it or name another file");
+  return Explore::ReadShapeFile(Option, name, "correct it or choose another file");
 }
 } // namespace
 
@@ -91,8 +91,8 @@ void CheckGuideFile(const std::string& name)
 {
   if (!IsOneOf(GetEnding(name), { ".vtp", ".vtk", ".stl", ".ply", ".obj", ".csv", ".json" }))
   {
-    throw InputError(Option + " '" + name + "'", "has an unknown ending",
-      "take lines or a surface that end in .vtp, .vtk, .stl, .ply or .obj, or measurements "
+    throw InputError(Option + " '" + name + "'", "has an unknown extension",
+      "use lines or a surface that end in .vtp, .vtk, .stl, .ply or .obj, or measurements "
       "(.csv, .mrk.json, .vtp), whose paths lead");
   }
 }
@@ -104,7 +104,7 @@ vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkIm
   if (shape->GetNumberOfPoints() < 2)
   {
     throw InputError(Option + " " + name, "it has no line and no polygons",
-      "take a polyline, or the triangles of a surface");
+      "use a polyline, or the triangles of a surface");
   }
   double bounds[6];
   shape->GetBounds(bounds);
@@ -112,7 +112,7 @@ vtkSmartPointer<vtkHapticGuideMode> ReadGuideFile(const std::string& name, vtkIm
   image->GetBounds(bounds);
   if (!box.Intersects(vtkBoundingBox(bounds)))
   {
-    throw InputError(Option + " " + name, "all of it lies outside of the volume",
+    throw InputError(Option + " " + name, "it lies entirely outside the volume",
       "give it the volume's coordinates and units; the summary of --pictures has its size");
   }
   auto guide = vtkSmartPointer<vtkHapticGuideMode>::New();

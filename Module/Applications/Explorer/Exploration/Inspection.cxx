@@ -106,7 +106,7 @@ std::string NameAxes(Explore::WorldAxes axes)
   return axes == Explore::WorldAxes::Patient
     ? "the patient's: x to the left, y to the back, z to the head"
     : axes == Explore::WorldAxes::Other ? "the file's own, not a patient's"
-                                        : "not told by the file";
+                                        : "not stated in the file";
 }
 
 std::string NameModality(Explore::VolumeKind kind)
@@ -116,7 +116,7 @@ std::string NameModality(Explore::VolumeKind kind)
     case Explore::VolumeKind::CT:
       return "CT";
     case Explore::VolumeKind::EightBit:
-      return "grey values of 8 bits, as of MRI or pictures";
+      return "8-bit grey values, as in MRI or photographs";
     case Explore::VolumeKind::Field:
       return "a field of a simulation";
     case Explore::VolumeKind::Labels:
@@ -131,7 +131,7 @@ std::string ExplainPreset(const std::string& preset, const std::string& modality
   return preset == "propose" ? "no preset fits its grey levels: what is solid is found by its edges"
     : preset == "histogram"  ? "no edges were found to propose from, so that its histogram is used"
     : modality == "CT"       ? "its values are Hounsfield units"
-    : modality == "labels"   ? "its values are numbers of labels"
+    : modality == "labels"   ? "its values are label numbers"
                              : "it was chosen";
 }
 
@@ -309,7 +309,7 @@ std::string Inspection::Describe() const
   text << this->Name << " is read as " << this->Format << ".\n"
        << "It has " << Join(this->Size, 3, " x ") << " voxels of " << Join(this->Spacing, 3, " x ")
        << " mm, from (" << Join(this->Origin, 3, ", ") << ") on, of type " << this->Type << ".\n"
-       << "Lengths are taken for millimetres, and "
+       << "Lengths are assumed to be millimetres, and "
        << (this->MetersPerUnit == 0.001 ? "felt at life size.\n"
                                         : "felt at a scale of " +
                 Round(1000.0 * this->MetersPerUnit) + ", so that it fits a hand.\n")
@@ -319,11 +319,11 @@ std::string Inspection::Describe() const
        << "Padding: " << (this->Padding.empty() ? "none was found" : this->Padding) << ".\n"
        << "Modality: " << this->Modality << "; " << this->ModalityReason << ".\n"
        << "Noise (standard deviation): " << this->DescribeNoise() << ".\n"
-       << "The smallest that is surely felt: " << this->DescribeFeature() << ".\n"
+       << "The smallest feature that is felt reliably: " << this->DescribeFeature() << ".\n"
        << "Suggested preset: " << this->Preset << ", because " << this->PresetReason << ".\n";
   for (const std::string& note : this->Notes)
   {
-    text << "Told: " << note << ".\n";
+    text << "Note: " << note << ".\n";
   }
   return text.str();
 }

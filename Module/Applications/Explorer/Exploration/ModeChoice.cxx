@@ -93,7 +93,7 @@ void AddPreset(const std::string& name, vtkImageData* image, vtkVolumeHapticsFil
   const Explore::MessageCapture capture;
   if (!preset->ApplyModePreset(name.c_str(), image))
   {
-    throw InputError("--mode '" + name + "'", capture.FirstError(), "take another mode");
+    throw InputError("--mode '" + name + "'", capture.FirstError(), "use another mode");
   }
   for (int i = 0; i < preset->GetNumberOfModes(); ++i)
   {
@@ -117,14 +117,14 @@ void AddMode(const std::string& name, vtkImageData* image, vtkVolumeHapticsFilte
     if (array.empty())
     {
       throw InputError("--mode " + name, "the volume has no " + mode->GetArrayText(),
-        "name a .vti file that has them, or take another mode");
+        "give a .vti file that has them, or use another mode");
     }
     mode->SetArrayName(array.c_str());
   }
   const Explore::MessageCapture capture;
   if (!mode->ProposeFromImage(image))
   {
-    throw InputError("--mode " + name, capture.FirstError(), "take another mode or array");
+    throw InputError("--mode " + name, capture.FirstError(), "use another mode or array");
   }
   filter->AddMode(mode);
 }
@@ -199,13 +199,13 @@ void CheckMode(const std::string& mode)
   if (!known || (colon != std::string::npos && colon + 1 == mode.size()))
   {
     throw InputError("--mode '" + mode + "'", "is not known",
-      "take one of: " + ListModes() +
+      "use one of: " + ListModes() +
         "; the name of an array may follow after a colon. Or one of: " + ListModePresets());
   }
   if (colon != std::string::npos && known->GetArrayText().empty())
   {
-    throw InputError("--mode '" + mode + "'", "is about the scalars, and has no array",
-      "leave the array's name out");
+    throw InputError(
+      "--mode '" + mode + "'", "uses the scalars, not an array", "leave out the array's name");
   }
 }
 

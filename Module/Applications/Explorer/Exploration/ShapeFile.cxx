@@ -13,7 +13,7 @@ vtkSmartPointer<vtkPolyData> ReadShapeFile(
 {
   if (!vtksys::SystemTools::FileExists(name, true))
   {
-    throw InputError(option + " " + name, "there is no such file", "name one that is there");
+    throw InputError(option + " " + name, "there is no such file", "check its path");
   }
   std::string error;
   vtkSmartPointer<vtkPolyData> shape = ReadPolyData(name, error);

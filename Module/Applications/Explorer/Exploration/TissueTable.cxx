@@ -253,7 +253,7 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
     }
     if (!isAutomatic)
     {
-      throw InputError("--preset propose", reason, "take another preset");
+      throw InputError("--preset propose", reason, "use another preset");
     }
     name = "histogram";
     // Place the surface where the body begins, because the steepest place of the edge is
@@ -270,8 +270,8 @@ std::string ApplyMaterials(const std::string& preset, Analysis& analysis, vtkIma
   if (!filter->GetProperty()->ApplyPreset(name.c_str(), image))
   {
     throw InputError("--preset " + name, capture.FirstError(),
-      "take auto, propose, histogram, one of the presets, or a file that ends in .json, such as "
-      "key F8 of the window saves");
+      "use auto, propose, histogram, one of the presets, or a file that ends in .json, such as "
+      "key F8 in the window saves");
   }
   if (filter->GetProperty()->GetSolidFromImage() && analysis.Kind != VolumeKind::CT &&
     analysis.Kind != VolumeKind::Labels)

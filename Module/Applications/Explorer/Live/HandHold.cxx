@@ -15,7 +15,7 @@ HandHold::HandHold(TouchScene& touch)
   touch.Style->AddObserver(vtkCommand::ModifiedEvent, this->Observer);
   const auto isUsable = [&touch] { return touch.Device->GetVirtualHand()->MayMouseLead(); };
   touch.Commands.Add(this,
-    { "Touch", "hold the hand where it is; go on", "f", [this] { this->Toggle(1); },
+    { "Touch", "hold the hand where it is; continue", "f", [this] { this->Toggle(1); },
       [&touch] { return touch.Style->GetHoldClicks() == 1; }, isUsable });
   // The key also works while Ctrl is held, which makes the hand press in depth. The menu shows no
   // line for this key or for the button.
@@ -23,7 +23,7 @@ HandHold::HandHold(TouchScene& touch)
     { "", "hold", "Ctrl+f", [this] { this->Toggle(1); }, nullptr, isUsable, Icon::None,
       [&touch] { return touch.Style->GetTouchMode(); } });
   touch.Commands.Add(this,
-    { "", "hold: click where the hand shall stay; click again to go on", "",
+    { "", "hold: click where the hand should stay; click again to continue", "",
       [this] { this->Toggle(2); }, [&touch] { return touch.Style->GetHoldClicks() > 0; }, isUsable,
       Icon::Hold });
 }
@@ -56,8 +56,8 @@ void HandHold::Report()
   const int clicks = this->Touch.Style->GetHoldClicks();
   if (std::exchange(this->Reported, clicks) != clicks)
   {
-    const char* const notices[] = { "", "The hand stays here: a click or f goes on",
-      "Click where the hand shall stay" };
+    const char* const notices[] = { "", "The hand stays here: click, or press f, to continue",
+      "Click where the hand should stay" };
     this->Touch.Display->SetNotice(notices[clicks]);
   }
 }

@@ -93,7 +93,7 @@ void HandTool::AddCommands()
   add("point", nullptr);
   add("needle", this->Needle);
   add("burr: removes tissue while the left button is pressed", this->Burr);
-  add("the tool of the file", this->Shape);
+  add("the tool from the file", this->Shape);
   table.Add(
     this, { "Tool", "the next tool", "w", [this] { this->ChangeTool(); }, nullptr, nullptr });
   table.Add(this,

@@ -155,12 +155,12 @@ Agreement ReplayPlan(const Explore::Exploration& exploration, const std::string&
   }
   vtkNew<vtkHapticDevice> device;
   device->SetAttentionTime(0.0); // off, because no hand holds the device
-  Demand(device->Open(("replay:" + planned).c_str()), "the planned path does not open", capture);
+  Demand(device->Open(("replay:" + planned).c_str()), "the planned path can't be opened", capture);
   device->SetVolumeHaptics(exploration.Filter);
   device->SetServoRate(exploration.ServoRate);
   // Leave the device disarmed: arming would restart the touch at a later tick.
-  Demand(device->Start(), "the servo does not start", capture);
-  Demand(device->GetRecorder()->Start(recorded.c_str()), "the recording does not start", capture);
+  Demand(device->Start(), "the servo can't be started", capture);
+  Demand(device->GetRecorder()->Start(recorded.c_str()), "the recording can't be started", capture);
   while (device->GetState()->GetTick() < exploration.Tip.Path->GetNumberOfPoints())
   {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -185,13 +185,13 @@ LiveRun RunLive(const Exploration& exploration, const std::string& file)
   const MessageCapture capture;
   vtkNew<vtkHapticDevice> device;
   device->SetAttentionTime(0.0); // off, because no hand holds the device
-  Demand(device->Open("virtual"), "the virtual device does not open", capture);
+  Demand(device->Open("virtual"), "the virtual device can't be opened", capture);
   device->SetVolumeHaptics(filter);
   device->SetServoRate(exploration.ServoRate);
   device->GetVirtualHand()->SetPosition(path->GetPoint(0));
-  Demand(device->Start(), "the servo does not start", capture);
+  Demand(device->Start(), "the servo can't be started", capture);
   device->Arm();
-  Demand(device->GetRecorder()->Start(file.c_str()), "the recording does not start", capture);
+  Demand(device->GetRecorder()->Start(file.c_str()), "the recording can't be started", capture);
   PlayPath(device, path, exploration.ServoRate);
   LiveRun run;
   run.Report = TimeKeeping(device);

@@ -30,8 +30,8 @@ SavedMeasurements::SavedMeasurements(TouchScene& touch, std::string file)
       const MessageCapture capture;
       if (!list->ReadFile(this->File.c_str()))
       {
-        throw InputError(
-          "--measurements " + this->File, capture.FirstError(), "correct it or name another file");
+        throw InputError("--measurements " + this->File, capture.FirstError(),
+          "correct it or choose another file");
       }
     }
     list->RemoveObserver(observer);

@@ -66,7 +66,7 @@ bool IsToolFile(const std::string& name)
 
 vtkSmartPointer<vtkPolyData> ReadToolFile(const std::string& name)
 {
-  const char* const cure = "take the closed surface of a tool";
+  const char* const cure = "use the closed surface of a tool";
   vtkSmartPointer<vtkPolyData> surface = ReadShapeFile("--tool", name, cure);
   if (surface->GetNumberOfPolys() + surface->GetNumberOfStrips() == 0)
   {

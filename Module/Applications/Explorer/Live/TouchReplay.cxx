@@ -118,7 +118,7 @@ vtkSmartPointer<vtkPolyData> TouchReplay::ReadFile(const std::string& file)
     throw InputError("--replay " + file,
       isThere ? "is not a recording of a touch" + (error.empty() ? "" : " (" + error + ")")
               : "there is no such file",
-      "name a .vtp that key F10 or vtkHapticRecorder::Start() has written");
+      "give a .vtp written by key F10 or vtkHapticRecorder::Start()");
   }
   if (!(times->GetComponent(times->GetNumberOfTuples() - 1, 0) > times->GetComponent(0, 0)))
   {

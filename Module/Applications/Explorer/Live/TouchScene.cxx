@@ -352,7 +352,7 @@ void AddSlices(
 [[noreturn]] void RefuseDevice(const std::string& id, const std::string& error)
 {
   throw Explore::InputError("--device " + id, error,
-    "name another device, or none; volumehaptics-device list shows what there is");
+    "choose another device, or none; volumehaptics-device list shows those that can be used");
 }
 
 vtkSmartPointer<vtkHapticDevice> OpenDevice(
@@ -430,14 +430,14 @@ void AddWindowCommands(TouchScene& touch, vtkRenderWindowInteractor* interactor)
     renderer->GetActiveCamera()->DeepCopy(first);
     renderer->ResetCameraClippingRange();
   };
-  touch.Commands.Add(&touch, { "Look", "the first view again", "r", reset, nullptr, nullptr });
+  touch.Commands.Add(&touch, { "Look", "reset the view", "r", reset, nullptr, nullptr });
   const auto addEdit = [&](const char* text, bool (vtkHapticFunctionEditor::*act)())
   {
     const auto run = [&touch, act]
     {
       if (!(touch.Editor->*act)())
       {
-        touch.Display->SetNotice("There is no such edit");
+        touch.Display->SetNotice("There is no edit to undo or redo");
       }
     };
     touch.Commands.Add(&touch, { "Materials", text, "", run, nullptr, nullptr });
@@ -519,7 +519,7 @@ void BuildTouchScene(TouchScene& touch, const Exploration& exploration, const Sc
     if (exploration.Input.TimeSteps)
     {
       throw InputError("--device " + device.SecondId,
-        "is a second hand, and a volume that moves is felt by one", "name one device");
+        "is a second device, and a moving volume can be touched with one only", "give one device");
     }
     touch.SecondDevice->UseToolOff(); // only the first hand uses the tool
     StartDevice(touch.SecondDevice, exploration);
@@ -564,13 +564,14 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
     const MessageCapture capture;
     if (!touch.Setup->Load(setup.c_str()))
     {
-      throw InputError("--setup " + setup, capture.FirstError(), "correct it or name another file");
+      throw InputError(
+        "--setup " + setup, capture.FirstError(), "correct it or choose another file");
     }
   }
   if (options.Cut == CutKind::Box && !touch.Cut.HasRegions())
   {
-    throw InputError("--cut box", "is not for a volume that may be larger than memory",
-      "take --cut plane, or leave --large out");
+    throw InputError("--cut box", "can't be used with a volume that may be larger than memory",
+      "use --cut plane, or leave out --large");
   }
   touch.Cut.SetKind(options.Cut);
   SavedMeasurements saved(touch, wanted.Measurements);
@@ -666,12 +667,13 @@ FileChoice RunTouchWindow(vtkRenderWindow* window, const Exploration& exploratio
   tool.reset();
   if (!error.empty())
   {
-    throw InputError(
-      "--measurements " + wanted.Measurements, error, "name a file in a folder of yours");
+    throw InputError("--measurements " + wanted.Measurements, error,
+      "choose a file in a folder that you may write to");
   }
   if (!setup.empty() && !isSetUp)
   {
-    throw InputError("--setup " + setup, "can't be written", "name a file in a folder of yours");
+    throw InputError(
+      "--setup " + setup, "can't be written", "choose a file in a folder that you may write to");
   }
   return choice;
 }

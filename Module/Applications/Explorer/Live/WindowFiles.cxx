@@ -55,7 +55,7 @@ void ListFolderForTouch(
   }
   std::sort(folders.begin(), folders.end());
   std::sort(files.begin(), files.end());
-  lines = { "this folder, as DICOM or as a volume that moves", "../" };
+  lines = { "this folder, as DICOM or as a moving volume", "../" };
   paths = { folder, Files::GetParentDirectory(folder) };
   for (const std::string& name : folders)
   {
@@ -170,7 +170,7 @@ void WindowFiles::AddCommands()
   for (const FileChoice& file : recent)
   {
     table.Add(this,
-      { "File", "again: " + Files::GetFilenameName(file.Path), "",
+      { "File", "reopen " + Files::GetFilenameName(file.Path), "",
         [this, file] { this->Choose(file); }, nullptr, nullptr });
   }
   // A volume of several files can't be reopened by its first file, so don't store it.

@@ -29,7 +29,7 @@ WindowRecorder::WindowRecorder(
   std::string error;
   if (!movie.empty() && !this->BeginMovie(movie, error))
   {
-    throw InputError("--movie " + movie, error, "name a file in a folder of yours");
+    throw InputError("--movie " + movie, error, "choose a file in a folder that you may write to");
   }
   this->AddCommands();
   this->TimerObserver->SetClientData(this);
@@ -54,10 +54,10 @@ void WindowRecorder::AddCommands()
 {
   CommandTable& table = this->Touch.Commands;
   table.Add(this,
-    { "Record", "a movie: begin; end", "F9", [this] { this->BeginOrEndMovie(); },
+    { "Record", "a movie: start; stop", "F9", [this] { this->BeginOrEndMovie(); },
       [this] { return this->Movie != nullptr; }, [] { return MovieFile::IsAvailable(); } });
   table.Add(this,
-    { "Record", "the touch: begin; end", "F10", [this] { this->BeginOrEndTouch(); },
+    { "Record", "the touch: start; stop", "F10", [this] { this->BeginOrEndTouch(); },
       [this] { return !this->TouchName.empty(); }, nullptr });
   table.Add(
     this, { "Record", "a picture", "F12", [this] { this->TakePicture(); }, nullptr, nullptr });

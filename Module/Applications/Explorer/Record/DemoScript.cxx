@@ -68,7 +68,7 @@ std::string ReadEvent(std::istringstream& line, DemoEvent& event)
     line >> event.Name;
     return event.Name == "left" || event.Name == "right" ? "" : word + " takes left or right";
   }
-  return "'" + word + "' is no event. Take move, stroke, wheel, key, press or release";
+  return "'" + word + "' is not an event. Use move, stroke, wheel, key, press or release";
 }
 } // namespace
 
@@ -83,7 +83,7 @@ std::vector<DemoEvent> ReadDemoScript(const std::string& file)
   if (!stream.is_open())
   {
     throw InputError(
-      "--script " + file, device.empty() ? "can't be read" : device, "name a file that is there");
+      "--script " + file, device.empty() ? "can't be read" : device, "check its path");
   }
   std::vector<DemoEvent> events;
   std::string text;
@@ -103,15 +103,15 @@ std::vector<DemoEvent> ReadDemoScript(const std::string& file)
     const double before = events.empty() ? 0.0 : events.back().Time;
     if (!ReadNumber(time, before, LONGEST, event.Time) || !time.eof())
     {
-      throw InputError(where, "'" + first + "' is no time after that of the line before",
-        "begin each line with seconds, in rising order");
+      throw InputError(where, "'" + first + "' is not a time after that of the previous line",
+        "begin each line with a time in seconds, in increasing order");
     }
     const std::string fault = ReadEvent(line, event);
     if (!fault.empty())
     {
       const std::size_t stop = fault.find(". ");
       const bool hasCure = stop != std::string::npos;
-      throw InputError(where, hasCure ? fault.substr(0, stop) : "its event can't be read",
+      throw InputError(where, hasCure ? fault.substr(0, stop) : "it has no valid event",
         hasCure ? fault.substr(stop + 2) : fault);
     }
     std::string more;

@@ -22,7 +22,8 @@ void Check(bool written, const std::string& file)
   if (!written)
   {
     throw Explore::InputError(file, "cannot be written",
-      "check that the disk is not full and the folder is yours; --pictures DIR names another one");
+      "check that the disk is not full and that you may write to the folder; --pictures DIR "
+      "chooses another one");
   }
 }
 
@@ -35,7 +36,7 @@ void Write(Writer write, vtkPolyData* trace, const std::string& file)
   {
     error.pop_back(); // removes the full stop, because InputError adds one
     throw Explore::InputError(
-      file, "cannot be written: " + error, "--pictures DIR names another folder");
+      file, "cannot be written: " + error, "--pictures DIR chooses another folder");
   }
 }
 } // namespace
@@ -46,8 +47,8 @@ void MakeFolder(const std::string& folder)
 {
   if (!vtksys::SystemTools::MakeDirectory(folder))
   {
-    throw InputError(
-      folder, "cannot be made a folder", "name one that you may write to with --pictures DIR");
+    throw InputError(folder, "can't be created as a folder",
+      "choose one that you may write to with --pictures DIR");
   }
 }
 
@@ -73,7 +74,7 @@ void WriteImage(vtkImageData* image, const std::string& file)
   if (writer->Write() == 0 || writer->GetErrorCode() != 0)
   {
     throw InputError(file, "cannot be written",
-      "check that the disk is not full and the folder is there and yours");
+      "check that the disk is not full, the folder exists, and you may write to it");
   }
 }
 

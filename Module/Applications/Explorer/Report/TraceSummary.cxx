@@ -155,7 +155,7 @@ void WritePhases(std::ostream& out, const Exploration& e, const Columns& columns
   {
     out << "  Nothing is felt on the outer surface, where values reach " << std::defaultfloat
         << e.Values.OuterThreshold
-        << ": it has no edge there, or no strength.\n  Cure: take another --preset, or press e in "
+        << ": it has no edge there, or no strength.\n  Cure: use another --preset, or press e in "
            "the window and set the functions.\n";
   }
 }
@@ -241,7 +241,7 @@ std::string Summarise(const Exploration& e)
   const double rate = columns.Count / std::max(e.FilterSeconds, 1e-9);
   out << "\nSpeed\n  " << std::fixed << std::setprecision(0) << rate << " ticks per second, "
       << std::setprecision(1) << rate / e.ServoRate
-      << " times the servo rate (computed offline, setting up included)\n";
+      << " times the servo rate (computed offline, including set-up)\n";
   return out.str();
 }
 } // namespace Explore

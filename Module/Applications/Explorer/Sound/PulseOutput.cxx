@@ -54,7 +54,7 @@ PulseOutput::PulseOutput(SoundStream& stream)
   }
   if (!this->Context)
   {
-    this->Report("the library finds no memory");
+    this->Report("the library is out of memory");
     return;
   }
   pa_context_set_state_callback(this->Context, &PulseOutput::HandleContext, this);
@@ -64,7 +64,7 @@ PulseOutput::PulseOutput(SoundStream& stream)
   }
   else if (pa_threaded_mainloop_start(this->Loop) < 0)
   {
-    this->Report("the system gives no thread");
+    this->Report("no thread could be started");
   }
 }
 

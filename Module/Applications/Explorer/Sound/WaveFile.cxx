@@ -52,7 +52,7 @@ void WriteWave(const std::vector<float>& samples, int samplesPerSecond, const st
   if (!stream)
   {
     throw InputError("--sound " + file, "cannot be written",
-      "check that the disk is not full, and that the folder is there and yours");
+      "check that the disk is not full, the folder exists, and you may write to it");
   }
 }
 } // namespace Explore

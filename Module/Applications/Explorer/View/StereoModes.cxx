@@ -25,7 +25,7 @@ int FindStereoMode(const std::string& name)
     }
     names += (names.empty() ? "" : ", ") + std::string(known);
   }
-  throw InputError("--stereo " + name, "is no stereo mode of VTK", "name one of " + names);
+  throw InputError("--stereo " + name, "is not a stereo mode of VTK", "use one of " + names);
 }
 
 void SetStereo(vtkRenderWindow* window, const std::string& name)

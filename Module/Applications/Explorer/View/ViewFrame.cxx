@@ -21,7 +21,7 @@ vtkVector3d ParseAxis(const std::string& option, const std::string& text)
   if (letter < 'x' || letter > 'z')
   {
     throw Explore::InputError(
-      option + " '" + text + "'", "is not an axis", "take one of +x -x +y -y +z -z");
+      option + " '" + text + "'", "is not an axis", "use one of +x -x +y -y +z -z");
   }
   axis[letter - 'x'] = text[0] == '+' ? 1.0 : -1.0;
   return axis;

@@ -150,7 +150,7 @@ std::string EvdevNode::Explain(int fault)
     case ENOENT:
     case ENODEV:
     case ENXIO:
-      return "not there any more. Plug it in, or switch it on.";
+      return "no longer connected. Plug it in, or switch it on.";
     default:
       return std::string("can't be opened: ") + std::strerror(fault) + ".";
   }

@@ -222,7 +222,7 @@ bool HidDriver::Write(
   this->Gone = this->Port.Read(bytes, sizeof(bytes), 0) < 0;
   this->Lose(exchange,
     this->Gone ? this->GetUnpluggedText()
-               : "does not take what is sent to it. Look after its cable, then Home() and Arm() "
+               : "does not accept what is sent to it. Check its cable, then Home() and Arm() "
                  "again; if that does not help, plug it in again, then Open() and Start() it.");
   return false;
 }

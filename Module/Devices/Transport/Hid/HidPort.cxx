@@ -63,7 +63,7 @@ bool HidPort::Open(const HidDeviceInfo& info, std::string& error)
       error = info.GetLabel() + ": " + info.GetPermissionCure();
       return false;
     case HidClaim::Answer::Missing:
-      error = info.GetLabel() + " is not there any more. Plug it in and open it again.";
+      error = info.GetLabel() + " is no longer plugged in. Plug it in and open it again.";
       return false;
     case HidClaim::Answer::Held:
       break;

@@ -132,7 +132,7 @@ std::string UsbTroubleText(int error, const UsbProduct& product)
       return PermissionCure("usb", product.Vendor, product.Product);
     case LIBUSB_ERROR_NO_DEVICE:
     case LIBUSB_ERROR_NOT_FOUND:
-      return "it is not plugged in any more. Plug it in again.";
+      return "it is no longer plugged in. Plug it in again.";
     case LIBUSB_ERROR_BUSY:
       return "it is in use by another program, or opened a second time by this one. Close it "
              "there.";

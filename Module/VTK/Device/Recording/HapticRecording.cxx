@@ -79,7 +79,7 @@ bool HapticRecording::Start(
   }
   catch (const std::system_error& problem)
   {
-    error = "the system gives no thread to write it (" + Printable(problem.code().message()) +
+    error = "no thread could be started to write it (" + Printable(problem.code().message()) +
       "). End other programs, or raise the limits of threads and memory.";
     this->Writer->Remove();
     isGood = false;

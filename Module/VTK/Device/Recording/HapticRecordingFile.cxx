@@ -604,7 +604,7 @@ bool WriteRecording(const std::string& journal, const std::string& file, std::st
   if (ending.empty())
   {
     error =
-      "The recording \"" + Printable(file) + "\" has an unknown ending: name it .vtp or .csv.";
+      "The recording \"" + Printable(file) + "\" has an unknown extension: name it .vtp or .csv.";
     return false;
   }
   JournalReader reader;

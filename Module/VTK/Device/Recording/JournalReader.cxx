@@ -319,7 +319,7 @@ bool JournalReader::ReadAbout(const std::string& payload, std::string& error)
   if (payload[sizeof(JournalMark) - 1] != JournalMark[sizeof(JournalMark) - 1] ||
     signature != SignatureOfColumns())
   {
-    error = "is of another version of VTK Volume Haptics: recover it with that one";
+    error = "is of another version of VTK Volume Haptics: recover it with that version";
     return false;
   }
   this->HasAbout = true;

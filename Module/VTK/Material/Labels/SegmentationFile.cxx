@@ -115,7 +115,7 @@ bool ReadNrrdFile(const NrrdFile& file, int* labels, std::string& error)
   }
   if (number != Z_OK && number != Z_STREAM_END)
   {
-    error = "its samples are damaged, or cut off. Check that the file is complete.";
+    error = "its samples are damaged or truncated. Check that the file is complete.";
     return false;
   }
   return true;

@@ -52,54 +52,53 @@ void CheckSlices(
   {
     if (!slice.IsWhole)
     {
-      throw InputError(path, "holds a damaged or cut-off slice (" + NameOf(slice) + ")",
-        "copy or export the series again, or take that file away");
+      throw InputError(path, "holds a damaged or truncated slice (" + NameOf(slice) + ")",
+        "copy or export the series again, or remove that file");
     }
     if (slice.ImageType.find("MOSAIC") != std::string::npos && slice.Frames == 1)
     {
       throw InputError(path,
         "holds mosaics, which have all slices of a Siemens MR volume in one picture (" +
           NameOf(slice) + ")",
-        "turn them into NIfTI with dcm2niix");
+        "convert them to NIfTI with dcm2niix");
     }
     if (slice.Modality == "RTDOSE" && !slice.DoseScale)
     {
-      throw InputError(path, "holds a dose without its scale (DoseGridScaling) in " + NameOf(slice),
+      throw InputError(path, "has a dose without its scale (DoseGridScaling) in " + NameOf(slice),
         "export it again from the planning system");
     }
     if (slice.IsPalette && !slice.IsSegmentation()) // a palette is an error, except for labels,
                                                     // whose colours do not matter
     {
       throw InputError(path,
-        "holds numbers of colours (PALETTE COLOR) instead of values in " + NameOf(slice),
+        "has palette colours (PALETTE COLOR) instead of values in " + NameOf(slice),
         "export it again as grey values");
     }
     if (slice.HasValueTable)
     {
       throw InputError(path,
-        "gives its samples a meaning by a table (ModalityLUTSequence), which is not read here, "
+        "maps its values by a table (ModalityLUTSequence), which is not supported, "
         "in " +
           NameOf(slice),
-        "apply it, e.g. by pydicom.pixels.apply_modality_lut, and write it with RescaleSlope");
+        "apply it, e.g. with pydicom.pixels.apply_modality_lut, and write it with RescaleSlope");
     }
     if (!slice.HasPlaces)
     {
       throw InputError(path,
         "holds a DICOM file with " + std::to_string(slice.Frames) + " frames (" + NameOf(slice) +
-          "), and does not tell where they are: is it a film?",
-        "turn it into NIfTI, e.g. with dcm2niix (package dcm2niix)");
+          "), whose positions are not given: is it a film?",
+        "convert it to NIfTI, e.g. with dcm2niix (package dcm2niix)");
     }
     if (!(slice.Spacing[0] > 0.0) || !(slice.Spacing[1] > 0.0))
     {
-      throw InputError(path, "gives no distance of its pixels (PixelSpacing) in " + NameOf(slice),
-        "export it again from where it was made, with its PixelSpacing");
+      throw InputError(path, "has no pixel spacing (PixelSpacing) in " + NameOf(slice),
+        "export it again from its source, with its PixelSpacing");
     }
     if (!slice.HasPosition && slice.Frames == 1 && slices.size() > 1 && !isPlacedByLocation)
     {
       throw InputError(path,
-        "gives no position of its slices (ImagePositionPatient, or SliceLocation) in " +
-          NameOf(slice),
-        "export it again from where it was made, with positions");
+        "has no slice positions (ImagePositionPatient, or SliceLocation) in " + NameOf(slice),
+        "export it again from its source, with positions");
     }
   }
 }
@@ -159,7 +158,8 @@ std::vector<DicomHeader> LeaveOutFar(const std::vector<DicomHeader>& slices, Vol
 [[noreturn]] void ThrowSeveral(const std::string& path, const std::string& fault)
 {
   throw InputError(path, fault + ": several volumes in one series",
-    "put the slices of one volume into a folder of their own; if it moves, each phase");
+    "put the slices of one volume into a folder of their own; of a moving volume, the slices of "
+    "each phase");
 }
 
 /// Returns the positions (mm) of slices along their normal, relative to the first one. Makes the
@@ -182,7 +182,7 @@ std::vector<double> FindPlaces(
   }
   if (count > 1 && smallest < 1e-4)
   {
-    ThrowSeveral(path, "has two slices at the same place");
+    ThrowSeveral(path, "has two slices at the same position");
   }
   const double even = count > 1 ? along.back() / static_cast<double>(count - 1) : 0.0;
   double off = 0.0;
@@ -230,7 +230,7 @@ std::vector<double> FindPlaces(
       place = std::round(place / length * steps) * length / steps;
     }
     note << missing << (missing == 1 ? " slice is" : " slices are") << " missing: gaps of up to "
-         << largest << " mm are filled from the slices beside them";
+         << largest << " mm are filled from the neighbouring slices";
   }
   else
   {
@@ -268,7 +268,7 @@ void CheckLine(const std::string& path, const std::vector<DicomHeader>& slices)
     fault << "has slices that are shifted against each other in their planes, by up to " << off
           << " mm";
     throw InputError(path, fault.str(),
-      "resample it to straight slices, e.g. by 3D Slicer's acquisition geometry regularization");
+      "resample it to straight slices, e.g. with 3D Slicer's acquisition geometry regularization");
   }
 }
 
@@ -322,25 +322,24 @@ std::size_t ChooseSeries(const std::string& path, const std::vector<DicomSeries>
   const Explore::DicomObject other = all.empty() ? FindObjects(path) : Explore::DicomObject();
   if (!other.Name.empty())
   {
-    throw InputError(
-      path, "is a folder without a single DICOM slice, but has " + other.Name, other.Cure);
+    throw InputError(path, "is a folder without DICOM slices, but has " + other.Name, other.Cure);
   }
   if (all.empty() && !facts.Device.empty())
   {
-    throw InputError(path, "is a folder without a single DICOM slice, but " + facts.Device,
-      "put a file in its place, or name another folder");
+    throw InputError(path, "is a folder without DICOM slices, but " + facts.Device,
+      "put a file in its place, or choose another folder");
   }
   if (all.empty())
   {
-    throw InputError(path, "is a folder without a single DICOM slice",
-      facts.HasFolders ? "name a folder that holds DICOM slices, or folders of them"
-                       : "name a folder of DICOM slices, or a volume file");
+    throw InputError(path, "is a folder without DICOM slices",
+      facts.HasFolders ? "choose a folder that holds DICOM slices, or folders of them"
+                       : "choose a folder of DICOM slices, or a volume file");
   }
   if (wanted > static_cast<int>(all.size()))
   {
     throw InputError(path,
       "has no series " + std::to_string(wanted) + ", but" + ListSeries(all) + "\n    and no other",
-      "take Series = 1 to Series = " + std::to_string(all.size()));
+      "use Series = 1 to Series = " + std::to_string(all.size()));
   }
   return wanted > 0 ? static_cast<std::size_t>(wanted - 1) : Explore::FindLargest(all);
 }
@@ -381,8 +380,8 @@ void AddNotes(const DicomSeries& series, Volume& volume)
   }
   if (first.IsDetectorSpacing)
   {
-    note("no PixelSpacing: ImagerPixelSpacing is used, which is at the detector, where all looks "
-         "larger");
+    note("no PixelSpacing: ImagerPixelSpacing is used, which is measured at the detector, where "
+         "everything appears larger");
   }
   if (first.Modality == "RTDOSE")
   {
@@ -411,7 +410,7 @@ void AddNotes(const DicomSeries& series, Volume& volume)
   if (!series.MorePhases.empty())
   {
     note(std::to_string(series.MorePhases.size() + 1) + " phases at the same places, by " +
-      series.PhasesBy + (series.HaveTimes ? "" : ", which is no time: 10 are played in a second"));
+      series.PhasesBy + (series.HaveTimes ? "" : ", which is not a time: 10 a second are played"));
   }
 }
 
@@ -490,8 +489,8 @@ void CheckParallel(
     std::ostringstream fault;
     fault << "has slices that are turned against each other, by up to " << turn
           << " degrees, as in a localizer or a radial scan";
-    throw InputError(path, fault.str(),
-      "name a series of parallel slices, or resample this one where it was made");
+    throw InputError(
+      path, fault.str(), "choose a series of parallel slices, or resample this one at its source");
   }
 }
 
@@ -596,7 +595,7 @@ Volume ReadDicomFile(const std::string& path, int series)
     constexpr unsigned long alone = 3;
     if (vtksys::Directory::GetNumberOfFilesInDirectory(folder) > alone && !header.IsSegmentation())
     {
-      volume.Notes.emplace_back("the file alone is read, not what lies beside it");
+      volume.Notes.emplace_back("only this file is read, not the files beside it");
     }
     return volume;
   }
@@ -610,7 +609,7 @@ Volume ReadDicomFile(const std::string& path, int series)
     std::find_if(all.begin(), all.end(), [&](const DicomSeries& one) { return one.Holds(whole); });
   if (found == all.end())
   {
-    throw InputError(path, "is not there any more", "name the folder of its series");
+    throw InputError(path, "no longer exists", "choose the folder of its series");
   }
   return LoadSeries(path, all, static_cast<std::size_t>(found - all.begin()), facts);
 }

@@ -53,13 +53,13 @@ struct ObjectKind
   const char* Name;
   const char* Cure;
 };
-constexpr const char* NAME_IMAGES = "name the folder of its images";
+constexpr const char* NAME_IMAGES = "choose the folder of its images";
 constexpr const char* UNCOMPRESS =
-  "export it again without compression, or unpack it by pydicom: dcmread(FILE).decompress()";
+  "export it again without compression, or decompress it with pydicom: dcmread(FILE).decompress()";
 constexpr ObjectKind OBJECTS[] = {
   { "1.2.840.10008.5.1.4.1.1.481.3",
     "an RT structure set (RTSTRUCT), whose contours have no voxels",
-    "make labels of it first, e.g. with plastimatch convert or 3D Slicer, and name them as "
+    "convert it to labels first, e.g. with plastimatch convert or 3D Slicer, and give them as "
     "labels" },
   { "1.2.840.10008.5.1.4.1.1.481.5", "an RT plan (RTPLAN)", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.481.8", "an RT ion plan (RTPLAN)", NAME_IMAGES },
@@ -67,7 +67,7 @@ constexpr ObjectKind OBJECTS[] = {
   { "1.2.840.10008.5.1.4.1.1.88.", "a structured report (SR)", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.9.", "a waveform, such as an ECG", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.11.", "a presentation state", NAME_IMAGES },
-  { "1.2.840.10008.5.1.4.1.1.104.", "a document that DICOM wraps", NAME_IMAGES },
+  { "1.2.840.10008.5.1.4.1.1.104.", "an encapsulated document", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.66.1", "a spatial registration (REG)", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.66.2", "a set of fiducials", NAME_IMAGES },
   { "1.2.840.10008.5.1.4.1.1.66.3", "a deformable registration (REG)", NAME_IMAGES },
@@ -605,7 +605,7 @@ std::string NameUnreadSyntax(const std::string& transferSyntax)
     : begins("4.94") || begins("4.95") ? "JPIP, whose pixels are on a server"
     : transferSyntax.empty() || transferSyntax.compare(0, 17, standard, 0, 17) == 0
     ? ""
-    : "a transfer syntax of its maker (" + transferSyntax + ")";
+    : "a private transfer syntax (" + transferSyntax + ")";
 }
 
 DicomObject FindDicomObject(const std::string& path)
@@ -619,7 +619,7 @@ DicomObject FindDicomObject(const std::string& path)
   const std::string syntax = NameUnreadSyntax(header.TransferSyntax);
   if (!syntax.empty() && header.Width == 0)
   {
-    return { "a DICOM file whose pixels are compressed as " + syntax + ", which is not read here",
+    return { "a DICOM file whose pixels are compressed as " + syntax + ", which is not supported",
       UNCOMPRESS };
   }
   for (const auto& [begin, name, cure] : OBJECTS)
@@ -634,8 +634,8 @@ DicomObject FindDicomObject(const std::string& path)
   if (header.Width > 0 || (isUnread && isMarked))
   {
     return { header.Width > 0 && !header.HasPixels
-        ? "a DICOM file without its pixels: damaged, cut off, or written so"
-        : "a damaged or cut-off DICOM file",
+        ? "a DICOM file without pixel data: damaged, truncated, or written without it"
+        : "a damaged or truncated DICOM file",
       "copy or export it again" };
   }
   if (header.Class.empty() && !isMarked)

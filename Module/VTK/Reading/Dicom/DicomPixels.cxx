@@ -30,7 +30,7 @@ InputError Unreadable(const std::string& path, const DicomHeader& slice, const s
   if (!syntax.empty())
   {
     return InputError(path,
-      "has slices that are compressed as " + syntax + ", which is not read here (" +
+      "has slices that are compressed as " + syntax + ", which is not supported (" +
         vtksys::SystemTools::GetFilenameName(slice.File) + ")",
       "export the series again without compression");
   }
@@ -289,7 +289,7 @@ void DicomPixels::Unpack(const std::string& path, const DicomHeader& slice)
   if ((bits != 8 && bits != 16 && bits != 32) || this->Unpacked.Samples != slice.Samples ||
     this->Bytes.size() != this->Unpacked.GetSize() * static_cast<std::uint64_t>(slice.Frames))
   {
-    throw Unreadable(path, slice, "unpacked to the size that its header tells");
+    throw Unreadable(path, slice, "decompressed to the size in its header");
   }
   if (IsYbr(this->Unpacked))
   {
@@ -444,14 +444,14 @@ vtkSmartPointer<vtkImageData> ReadSlices(
   if (below > 0)
   {
     notes.push_back(std::to_string(below) +
-      " pixels have one value below -1024: they are outside of the field of view, and are set to "
-      "the "
-      "least value");
+      " pixels have one value below -1024: they are outside the field of view, and get the "
+      "smallest value");
   }
   if (replaced > 0)
   {
     notes.push_back(std::to_string(replaced) +
-      " pixels were not measured, as the files say: they are outside, with the least value");
+      " pixels were not measured, according to the files: they are outside, with the smallest "
+      "value");
   }
   return image;
 }

@@ -61,7 +61,7 @@ bool AskDicom(DicomRequest::Kind, const std::string& path, std::uint64_t, DicomA
   if (HasDicomMark(path))
   {
     throw InputError(path, "is DICOM, which is read on Linux only",
-      "make a NIfTI or NRRD file of it, such as with dcm2niix or 3D Slicer");
+      "convert it to NIfTI or NRRD, e.g. with dcm2niix or 3D Slicer");
   }
   return false;
 }

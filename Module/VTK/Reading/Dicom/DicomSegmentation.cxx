@@ -129,7 +129,7 @@ Volume ReadDicomSegmentation(
     throw InputError(path,
       "has " + std::to_string(named) + " segments, and none with the number " +
         std::to_string(segment),
-      "take Series = 1 to Series = " + std::to_string(named));
+      "use Series = 1 to Series = " + std::to_string(named));
   }
   const int alone = segment > 0 ? volume.LabelTable->GetLabel(segment - 1) : 0;
   std::vector<DicomHeader> ordered = frames;
@@ -175,12 +175,13 @@ Volume ReadDicomSegmentation(
   if (areParts)
   {
     volume.Notes.emplace_back(
-      "it tells parts of voxels: those of at least half of one belong to a segment");
+      "it gives fractions of voxels: a voxel belongs to the segment from one half on");
   }
   if (shared > 0)
   {
     volume.Notes.push_back(std::to_string(shared) +
-      " voxels are in several segments: they belong to that with the highest number; Series = 1 to "
+      " voxels are in several segments: they belong to the one with the highest number; Series = 1 "
+      "to "
       "Series = " +
       std::to_string(named) + " read one segment of the file alone");
   }

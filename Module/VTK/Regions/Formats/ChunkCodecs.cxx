@@ -140,7 +140,7 @@ std::size_t InflateFile(const OpenedFile& file, std::size_t offset, std::size_t 
   if (!hasAny || state != Z_STREAM_END)
   {
     throw std::runtime_error(
-      "its compressed samples are damaged, or cut off. Check that the copy is complete, or write "
+      "its compressed samples are damaged or truncated. Check that the copy is complete, or write "
       "it again.");
   }
   return count;

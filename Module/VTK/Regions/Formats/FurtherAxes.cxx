@@ -78,8 +78,7 @@ std::vector<std::size_t> ChooseVolume(
   const std::string last = std::to_string(count);
   if (number != 0 && count == 1)
   {
-    throw std::runtime_error(
-      "it has one volume, of which none can be chosen by a number. Leave Series out.");
+    throw std::runtime_error("it has one volume only, which needs no number. Leave Series out.");
   }
   if (number < 0 || number > static_cast<int>(count))
   {
@@ -98,7 +97,7 @@ std::vector<std::size_t> ChooseVolume(
   {
     file.Notes.push_back(number > 0 ? NameVolume(axes, indices) + " is used"
                                     : "of " + CountVolumes(axes) +
-          " the first one is used; Series = 1 to Series = " + last + " take one of them");
+          " the first one is used; Series = 1 to Series = " + last + " choose one of them");
   }
   return indices;
 }

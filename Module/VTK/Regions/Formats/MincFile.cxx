@@ -99,7 +99,7 @@ public:
     if (mark == "\x89HDF")
     {
       throw std::runtime_error(
-        "it is MINC 2, in HDF5, which is not read here. Turn it into MINC 1: "
+        "it is MINC 2, in HDF5, which is not supported. Turn it into MINC 1: "
         "mincconvert in.mnc out.mnc; or into NIfTI: mnc2nii in.mnc out.nii.");
     }
     this->IsLong = mark == std::string("CDF\2");

@@ -377,7 +377,7 @@ std::size_t AddFiles(TiffStack& stack)
     else if (!left.empty())
     {
       throw std::runtime_error("its pages have several sizes or types: " + Printable(left) +
-        ", between others, has its own. Write all slices alike, or take that file away.");
+        ", between others, has its own. Write all slices alike, or remove that file.");
     }
   }
   return others;
@@ -597,7 +597,7 @@ BoxReader ReadHeadless(const std::string& name, const TiffFacts& facts, const Bo
 [[noreturn]] void ThrowDamaged()
 {
   throw std::runtime_error(
-    "a page of it can't be unpacked: it is damaged, or cut off. Check that its "
+    "a page of it can't be unpacked: it is damaged or truncated. Check that its "
     "copy is complete.");
 }
 

@@ -76,7 +76,7 @@ void ParseSamples(std::string_view text, const std::string& file, char* to, std:
 std::string DescribeMissingSamples(const std::string& file)
 {
   return "it speaks of more samples than " + file +
-    " has: its header promises voxels that are not in the file, which ends before the last voxel. "
+    " has: its header announces more voxels than the file has, which ends before the last voxel. "
     "Check that the copy of that file is complete.";
 }
 

@@ -380,7 +380,7 @@ bool ZarrArray::LocateInShard(const std::string& name, const OpenedFile& file,
   if (range[1] > size || range[0] > size - range[1])
   {
     throw std::runtime_error(
-      "a shard of it is damaged, or cut off: its index names bytes that it does not have. Copy or "
+      "a shard of it is damaged or truncated: its index names bytes that it does not have. Copy or "
       "write it again.");
   }
   return true;

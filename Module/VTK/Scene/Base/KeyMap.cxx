@@ -267,7 +267,7 @@ bool KeyMap::Set(const std::string& action, const std::string& keys, std::string
   const std::vector<std::string> names = ListActions();
   if (std::find(names.begin(), names.end(), action) == names.end())
   {
-    error = "There is no action \"" + action + "\". Cure: take one of these:";
+    error = "There is no action \"" + action + "\". Cure: use one of these:";
     for (const std::string& name : names)
     {
       error += " " + name;
@@ -280,8 +280,8 @@ bool KeyMap::Set(const std::string& action, const std::string& keys, std::string
     {
       if (other != action && HasKey(this->Get(other), key))
       {
-        error = "The key \"" + key + "\" is that of the action " + other +
-          " already. Cure: SetKey(\"" + other + "\", \"\") before, or another key for it.";
+        error = "The key \"" + key + "\" belongs to the action " + other +
+          " already. Cure: call SetKey(\"" + other + "\", \"\") before, or choose another key.";
         return false;
       }
     }

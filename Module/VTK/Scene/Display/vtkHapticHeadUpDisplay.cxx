@@ -683,7 +683,7 @@ bool vtkHapticHeadUpDisplay::vtkInternals::DetectContext(vtkHapticHeadUpDisplay&
     else
     {
       vtkErrorWithObjectMacro(&self,
-        "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
+        "VTK has no back end that draws charts. Link VTK::RenderingContextOpenGL2, with "
         "vtk_module_autoinit, and include vtkRenderingContext2DModule.h in a source; or in Python "
         "import vtkmodules.vtkRenderingContextOpenGL2.");
     }

@@ -556,7 +556,7 @@ int vtkHapticFunctionEditor::Draw(vtkViewport* viewport)
     if (!device)
     {
       vtkErrorMacro(
-        "VTK has nothing to draw charts with. Link VTK::RenderingContextOpenGL2, with "
+        "VTK has no back end that draws charts. Link VTK::RenderingContextOpenGL2, with "
         "vtk_module_autoinit, and include vtkRenderingContext2DModule.h in a source; or in Python "
         "import vtkmodules.vtkRenderingContextOpenGL2.");
     }

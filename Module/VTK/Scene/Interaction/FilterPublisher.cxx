@@ -97,7 +97,8 @@ bool FilterPublisher::NextMethod(const std::function<void(const std::string&)>& 
   if (!filter)
   {
     vtkErrorWithObjectMacro(style,
-      "There is no method to change: SetDevice() one that SetVolumeHaptics() was called on.");
+      "There is no method to change: call SetDevice() with a device that has a filter "
+      "(SetVolumeHaptics()).");
     return false;
   }
   MethodChange change{ filter->GetMethod(), filter->GetSolver(), filter->GetMethodText(), {} };
@@ -209,7 +210,8 @@ bool ComparedSettings::Swap(const std::function<void(const std::string&)>& notif
   if (!filter)
   {
     vtkErrorWithObjectMacro(style,
-      "There are no settings to compare: SetDevice() one that SetVolumeHaptics() was called on.");
+      "There are no settings to compare: call SetDevice() with a device that has a filter "
+      "(SetVolumeHaptics()).");
     return false;
   }
   if (!this->Other || this->Filter.GetPointer() != filter.GetPointer())

@@ -118,7 +118,7 @@ void TimerWatch::OnEvent()
     }
     this->IsNeeded = true;
     vtkWarningWithObjectMacro(this->Style,
-      "This window's loop of events sends no timer events, so that the picture, the display and "
+      "This window's event loop sends no timer events, so that the picture, the display and "
       "changes of the volume follow only while the mouse moves or something is drawn. Cure: call "
       "DrawHaptics() of this style 60 times a second by a timer of the program.");
   }

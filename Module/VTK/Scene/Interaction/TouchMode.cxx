@@ -90,7 +90,7 @@ void TouchMode::Begin(const Vector3* at)
   if (!this->Scene.Device || !this->Scene.Device->IsRunning())
   {
     vtkErrorWithObjectMacro(this->Scene.Style,
-      "There is nothing to touch with: SetDevice() one that is open and started.");
+      "There is nothing to touch with: call SetDevice() with a device that is open and started.");
     return;
   }
   if (!interactor)

@@ -232,8 +232,8 @@ bool TouchedVolumes::Add(vtkVolume* volume, vtkVolumeHapticsFilter* filter)
     if (entry.Filter == filter)
     {
       vtkErrorWithObjectMacro(this->Scene.Style,
-        "This filter feels another volume already. Cure: a vtkVolumeHapticsFilter for each "
-        "volume.");
+        "This filter feels another volume already. Cure: use one vtkVolumeHapticsFilter "
+        "for each volume.");
       return false;
     }
   }

@@ -656,7 +656,7 @@ void vtkHapticWidget::SetDevice(vtkHapticDevice* device)
   auto& d = *this->Internals;
   if (!device)
   {
-    vtkErrorMacro("The widget needs a device. Cure: a vtkHapticDevice, or Off().");
+    vtkErrorMacro("The widget needs a device. Cure: SetDevice(), or Off().");
     return;
   }
   if (d.Device != device)

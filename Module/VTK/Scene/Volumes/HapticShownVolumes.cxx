@@ -86,7 +86,8 @@ const Difference Differences[] = {
     "Its mapper draws the magnitude of vectors, but a component of them is felt. Cure: "
     "vtkImageMagnitude as the input of the mapper." },
   { 1024,
-    "Its mapper projects or slices, so that what lies in front of what is seen is felt. Cure: "
+    "Its mapper projects or slices, so that also hidden parts in front of the picture are felt. "
+    "Cure: "
     "SetBlendModeToComposite() of the mapper." },
   { 2048,
     "Its mapper draws isosurfaces, but all of its edges are felt. Cure: SetMethodToSurfaceProxy() "
