@@ -4,8 +4,8 @@
 
 usage: program.py PROGRAM FOLDER [VOLUME]
 
-Replaces the program's comment "the lines of the page" by the page's block of the same name. The block and the program
-use these names:
+Replaces the program's comment "code of Documentation/hosts.md" by the page's block of the same name. The block and the
+program use these names:
 
 image       image of a ball of RADIUS around (0, 0, 0), whose values are 0 at its surface; or of the file VOLUME
 opacity     points (value, opacity), which show the ball; the head, if there is a file
@@ -13,7 +13,7 @@ colors      points (value, (red, green, blue))
 is_scan     whether there is a file VOLUME
 hear(key)   function that the program calls from its own handler of keys
 make_volume function that makes a vtkVolume of an image
-page        the lines of the page
+page        the code of Documentation/hosts.md, for a program that lacks the comment
 change_style  statement that sets another style, as the program does it
 lets_go     key that ends the touch, if the program keeps Escape to itself (optional)
 again       statement that opens another window, which stays open when the first window is closed (optional)
@@ -235,7 +235,9 @@ def main(name, folder, file=None):
     code = (HERE / "programs" / f"{name}.py").read_text(encoding="utf-8")
     lines = blocks()[name]
     assert len(lines.strip().splitlines()) <= 5, "the page promises five lines at most"
-    code = re.sub(r"^( *)# the lines of the page\n", lambda found: re.sub(r"^", found[1], lines, flags=re.M), code, flags=re.M)
+    mark = r"^( *)# code of Documentation/hosts.md\n"
+    code, marks = re.subn(mark, lambda found: re.sub(r"^", found[1], lines, flags=re.M), code, flags=re.M)
+    assert marks == 1 or "page" in code, "the program has a place for the page's code"
     if file:
         from vtkmodules.vtkIOImage import vtkMetaImageReader
 

@@ -131,7 +131,7 @@ TEST_F(StyleKeys, MoveWithTheirWordsOnTheScreen)
 TEST_F(StyleKeys, NobodyHasTwoActions)
 {
   EXPECT_FALSE(this->Style->SetKey("Touch", "a"));
-  EXPECT_TRUE(this->Says("that of the action Arm already"));
+  EXPECT_TRUE(this->Says("belongs to the action Arm already"));
   EXPECT_EQ(this->Style->GetKey("Touch"), "t");
   EXPECT_TRUE(this->Style->SetKey("Arm", ""));
   EXPECT_TRUE(this->Style->SetKey("Touch", "a"));
