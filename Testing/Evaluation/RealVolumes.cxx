@@ -166,7 +166,10 @@ vtkSmartPointer<vtkImageData> RemoveSpecks(vtkImageData* image, double level)
 {
   vtkNew<vtkImageConnectivityFilter> connectivity;
   connectivity->SetInputData(image);
-  connectivity->SetScalarRange(level, VTK_DOUBLE_MAX);
+  // The filter cuts the range to whole numbers if the samples are whole: 2.8 would be 2.
+  const int type = image->GetScalarType();
+  const bool isWhole = type != VTK_FLOAT && type != VTK_DOUBLE;
+  connectivity->SetScalarRange(isWhole ? std::ceil(level) : level, VTK_DOUBLE_MAX);
   connectivity->SetExtractionModeToAllRegions();
   connectivity->SetSizeRange(LeastStructure, VTK_ID_MAX);
   connectivity->SetLabelScalarTypeToInt();
