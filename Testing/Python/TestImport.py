@@ -101,7 +101,7 @@ def test_another_vtk_is_refused_by_name():
 
     here = f"{vtkVersion.GetVTKMajorVersion()}.{vtkVersion.GetVTKMinorVersion()}"
     said = run(OTHER_VTK)
-    assert f"VTK {here}.99 is what there is" in said
+    assert f"VTK {here}.99 is installed" in said
     assert f"pip install vtk=={here}.{vtkVersion.GetVTKBuildVersion()}," in said
 
 

@@ -28,6 +28,7 @@ public:
   }
   const ToolColumns& GetColumns() const override { return BakedNeedle::Columns(); }
   void Describe(vtkHapticTool* tool, ToolPlan& plan) const override;
+  bool HasShaft() const override { return true; }
 };
 
 void NeedleKind::Describe(vtkHapticTool* tool, ToolPlan& plan) const

@@ -100,6 +100,8 @@ public:
    * felt orientation.
    */
   virtual bool TurnsWithStylus() const { return false; }
+  /** Returns whether the tool is a shaft with a hub. */
+  virtual bool HasShaft() const { return false; }
   /** Returns whether turning the tool changes what is drawn. */
   virtual bool IsTurnable() const { return false; }
   ///@}

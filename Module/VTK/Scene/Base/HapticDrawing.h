@@ -14,14 +14,21 @@ namespace VolumeHaptics
 {
 
 /**
- * Returns whether the viewport's window is rendering now, so that an OpenGL context exists. Without
- * one, for example if an application calls a prop's RenderOverlay itself, VTK's own props would
- * crash.
+ * Returns whether the viewport's window is rendering now, so that an OpenGL context exists, and the
+ * viewport has a size that a screen can have. Without a context, for example if an application calls
+ * a prop's RenderOverlay itself, VTK's own props would crash; in a viewport that is wider or higher
+ * than integers can say, a chart would make labels without end.
  */
 inline bool IsDrawing(vtkViewport* viewport)
 {
   auto* const window = viewport ? vtkRenderWindow::SafeDownCast(viewport->GetVTKWindow()) : nullptr;
-  return window && window->CheckInRenderStatus();
+  if (!window || !window->CheckInRenderStatus())
+  {
+    return false;
+  }
+  constexpr int largest = 1 << 16; // pixels
+  const int* const size = viewport->GetSize();
+  return size[0] >= 0 && size[0] <= largest && size[1] >= 0 && size[1] <= largest;
 }
 
 /**

@@ -12,7 +12,6 @@
 #include "vtkDataArray.h"
 #include "vtkHapticDevice.h"
 #include "vtkHapticLabelTable.h"
-#include "vtkHapticNeedle.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
@@ -226,7 +225,8 @@ void DrawnNeedle::Draw(vtkHapticDevice* device, double length, const Vector3& ha
     : Vector3{};
   const double depth = Norm(whole);
   const bool isInAir = !(depth > 0.0);
-  if (isInAir && !(Norm(handle) > 0.0 && vtkHapticNeedle::SafeDownCast(GetHeldTool(device))))
+  const ToolKind* const kind = FindToolKind(GetHeldTool(device));
+  if (isInAir && !(Norm(handle) > 0.0 && kind && kind->HasShaft()))
   {
     return;
   }
