@@ -15,9 +15,9 @@ namespace VolumeHaptics
 
 /**
  * Returns whether the viewport's window is rendering now, so that an OpenGL context exists, and the
- * viewport has a size that a screen can have. Without a context, for example if an application calls
- * a prop's RenderOverlay itself, VTK's own props would crash; in a viewport that is wider or higher
- * than integers can say, a chart would make labels without end.
+ * viewport has a size that a screen can have. Without a context, for example if an application
+ * calls a prop's RenderOverlay itself, VTK's own props would crash. In a viewport whose size
+ * overflows an integer, a chart would make labels without end.
  */
 inline bool IsDrawing(vtkViewport* viewport)
 {
