@@ -54,7 +54,7 @@ std::int64_t Now()
     .count();
 }
 
-// What the callback reports to the reader.
+// State that the scheduler's callback writes and the reader of states reads.
 struct Report
 {
   double Position[3] = {};   // mm

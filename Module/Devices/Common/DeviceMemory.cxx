@@ -253,7 +253,7 @@ bool DeviceMemory::Write(const std::string& identity, const DeviceFacts& facts, 
     }
   }
   text << MakeLine(word, facts) << "\n";
-  // Create a new file, so that a link that somebody has planted is not followed.
+  // Create a new file, so that an attacker's link with the name of the file is not followed.
   std::string temporary;
   constexpr Files::Mode onlyThisUser = 0600;
   const int descriptor = Files::CreateBeside(file, onlyThisUser, temporary);

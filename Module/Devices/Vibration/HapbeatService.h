@@ -50,7 +50,7 @@ private:
   bool SendOften(const HapbeatPacket& packet);
   bool SendChunk(double amplitude);
   bool Ping();
-  /** Reads answers. Returns false if nobody listens. */
+  /** Reads answers. Returns false if the system reports that no program has the port open. */
   bool Listen();
   bool Stream(double amplitude);
   bool End();

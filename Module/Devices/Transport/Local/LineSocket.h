@@ -74,11 +74,11 @@ public:
    */
   bool Open(const std::string& address, std::uint16_t port, std::string& error);
   bool IsOpen() const noexcept { return this->Link != nullptr; }
-  /** Sends a packet. Returns false if the system reports that nobody listens. */
+  /** Sends a packet. Returns false if the system reports that no program has the port open. */
   bool Send(const std::vector<std::uint8_t>& packet) noexcept;
   /**
    * Receives a packet that has arrived; `packet` is empty if there is none. Returns false if the
-   * system reports that nobody listens.
+   * system reports that no program has the port open.
    */
   bool Receive(std::vector<std::uint8_t>& packet);
   void Close() noexcept;

@@ -122,8 +122,8 @@ private:
   bool IsOf(vtkVolumeHapticsFilter* filter, const TimeStepPlace& place) const;
   bool Shape(vtkVolumeHapticsFilter* filter, const BakedVolume* last);
 
-  const vtkVolumeHapticsFilter* Of = nullptr; ///< filter that Span was read from; only compared,
-                                              ///< because it may be deleted
+  /** Filter from which Span was read. Compare it only, because the filter may be deleted. */
+  const vtkVolumeHapticsFilter* Of = nullptr;
   ChangeTimes Times{ 0, 0 };
   std::optional<PreparedTimeSpan> Span;
   double TimeOfRest = 0.0;
